@@ -25,7 +25,7 @@ namespace pardel::fuzz {
   return largest;
 }
 
-/// The shortest edge that the mesher makes at the coordinates of a domain (Options::min_edge).
+/// The highest floor in a domain, if the options set none (Options::min_edge).
 [[nodiscard]] inline double resolution(const Pslg& pslg) { return 0x1p-42 * largest_magnitude(pslg); }
 
 }  // namespace pardel::fuzz

@@ -43,7 +43,7 @@ inline constexpr double much_narrower = 1000;
 
 /// The gaps of a domain, narrowest first. A gap is narrower than a millionth of the extent of the domain, and a
 /// thousandth of its surroundings, unless these are a side of the convex hull; or it is narrower than 2^-32 of the
-/// largest coordinate, which is a thousand times the shortest edge that the mesher makes. Gaps outside the domain are
+/// larger coordinate there, which is a thousand times the shortest edge that the mesher makes there. Gaps outside the domain are
 /// not found, for example between the outlines of two parts of the domain that nearly touch. Each point is the first
 /// point of one gap at most. Errors and time: those of triangulate(). `threads`: 0 or less for as many as OpenMP
 /// offers.

@@ -23,8 +23,8 @@ struct LeastSize {
 };
 
 /// The bound for a goal with this smallest angle, in degrees, from 0 to 45. Segments with a common end do not count,
-/// because small angles of the input are exempt; parts do not count if they are narrower than `min_edge` or the least
-/// Options::min_edge, because they are not refined, or if more than 64 triangles of the constrained Delaunay
+/// because small angles of the input are exempt; parts do not count if they are narrower than the floor there
+/// (Options::min_edge), because they are not refined, or if more than 64 triangles of the constrained Delaunay
 /// triangulation lie between the segments. So the bound can be much too small, but the mesh is hardly ever smaller.
 /// Errors: those of triangulate(). Time: that of triangulate() and O(n). `threads`: 0 or less for as many as OpenMP
 /// offers; the result does not depend on it.

@@ -92,8 +92,9 @@ struct Options {
   /// area and size bounds require cannot fit, and later as soon as the mesh exceeds the limit. A limit on the memory of
   /// the whole process can be kept with `progress`.
   std::uint64_t max_memory = 0;
-  /// No point is inserted that would make an edge shorter than this, or than the limit of double precision: 2^-42 times
-  /// the largest coordinate, and 2^-129. A length >= 0.
+  /// No point is inserted that would make an edge shorter than the floor at this point: the largest of this length, of
+  /// 2^-42 times the larger coordinate of the point, and of 2^-129. Double precision resolves no shorter edges there. A
+  /// length >= 0.
   double min_edge = 0;
   bool no_boundary_splits = false;  ///< do not split segments on the boundary of the domain (Triangle's switch -Y)
   bool no_segment_splits = false;   ///< do not split any segment (Triangle's switch -YY)

@@ -18,8 +18,14 @@ using namespace engine;
 
 namespace {
 
-/// The smallest box that contains all points; without points, the origin.
+/// The smallest box that contains all segments; without segments, all points; without points, the origin. A point can
+/// lie far outside of the segments, and says nothing about their precision.
 Box box_around(const Pslg& pslg) {
+  Box box = empty_box;
+  for (const Segment& s : pslg.segments)
+    for (const Index end : {s.a, s.b})
+      if (end < pslg.points.size()) box.cover(Box::around(pslg.points[end]));
+  if (box.min_x <= box.max_x) return box;
   if (pslg.points.empty()) return Box::around(Point{});
   return bounding_box(1, pslg.points.size(), [&](std::size_t i) { return pslg.points[i]; });
 }

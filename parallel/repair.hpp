@@ -30,12 +30,13 @@ struct RepairOptions {
   std::function<bool()> go_on{};
 };
 
-/// 2^-38 (3.6e-12) times the largest magnitude of a coordinate. Coordinates of that magnitude are about 2^-53 of it
-/// apart, and the mesher makes no edge shorter than 2^-42 of it (Options::min_edge). A gap of 2^-38 is 16 such edges
-/// wide. Smaller gaps are mostly the rounding of some program, and no mesh could be graded into them.
+/// 2^-38 (3.6e-12) times the largest magnitude of a coordinate of a segment's end; without segments, of a point.
+/// Coordinates of that magnitude are about 2^-53 of it apart, and there the mesher makes no edge shorter than 2^-42 of
+/// it (Options::min_edge). A gap of 2^-38 is 16 such edges wide. Smaller gaps are mostly the rounding of some program,
+/// and no mesh could be graded into them.
 [[nodiscard]] double default_snap(const Pslg& pslg);
 
-/// 2^-30 (9.3e-10) times the largest magnitude of a coordinate, or a millionth of the extent if that is smaller.
+/// 2^-30 (9.3e-10) times this magnitude, or a millionth of the extent of the segments, or points, if that is smaller.
 /// Crossings of nearly parallel segments, and copies of an outline in two projections, leave such gaps.
 [[nodiscard]] double largest_default_snap(const Pslg& pslg);
 

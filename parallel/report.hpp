@@ -15,7 +15,7 @@ enum class ExemptReason : std::uint8_t {
   nestled,       ///< its smallest angle lies between two input segments
   seditious,     ///< its shortest edge joins two segments at equal distances from their common end; angle below 60°
   budget,        ///< Options::max_vertices was reached
-  min_edge,      ///< a split would make an edge shorter than Options::min_edge
+  min_edge,      ///< a split would make an edge shorter than the floor there (Options::min_edge)
   precision,     ///< no point that double precision can represent splits it validly
   kept_segment,  ///< only the split of a segment that may not be split would help
 };

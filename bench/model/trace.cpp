@@ -205,21 +205,20 @@ Result<Trace> traced(const ValidPslg& valid, const Goal& goal, const Options& op
   report.gaps = find_gaps(*domain, threads);
   const Result<RunPlan> plan = plan_run(pslg, goal, *domain, options, threads);
   if (!plan) return plan.error();
-  const Options resolved = resolvable(options, domain->triangulation);
   const double planned = watch.lap();
 
   OneRank one;
   TaskTimes times;
   TracedDistribution distribution(
       one, domain->triangulation,
-      {domain->segments, plan->criteria, resolved, domain->input_of_vertex.span(), input.points.markers}, ranks, extent,
+      {domain->segments, plan->criteria, options, domain->input_of_vertex.span(), input.points.markers}, ranks, extent,
       times, trace);
   try {
-    Result<RefineCounts> counts = refine_by_sweeps(domain->triangulation, domain->segments, plan->criteria, resolved,
+    Result<RefineCounts> counts = refine_by_sweeps(domain->triangulation, domain->segments, plan->criteria, options,
                                                    progress, times.hooks(), {}, &distribution);
     if (!counts) return counts.error();
     trace.before_seconds += planned;
-    write_report(*domain, plan->criteria, resolved, std::move(*counts), threads, report,
+    write_report(*domain, plan->criteria, options, std::move(*counts), threads, report,
                  [&](TriangleId id) { return distribution.part().has(id); });
   } catch (const CoarseIsEnough&) {
     trace.before_seconds += planned;

@@ -1,8 +1,10 @@
 #include "small_angles.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "../../core/support/point_order.hpp"
 #include "../arithmetic/box.hpp"
@@ -33,6 +35,47 @@ Point projected(Point p, Point a, Point b) {
   const double cross = (left.head - right.head) + ((left.tail - right.tail) + rest);
   const double off = cross / (dx.head * dx.head + dy.head * dy.head);
   return {p.x - off * dy.head, p.y + off * dx.head};
+}
+
+/// (b - a) x (p - a), without rounding.
+exact::Expansion<16> exact_cross(Point a, Point b, Point p) {
+  using namespace exact;
+  const Expansion<2> dx(two_difference(b.x, a.x)), dy(two_difference(b.y, a.y));
+  const Expansion<2> ex(two_difference(p.x, a.x)), ey(two_difference(p.y, a.y));
+  return dx * ey - dy * ex;
+}
+
+/// The place of the line through a and b that has the x coordinate of p, rounded once. Precondition: a.x != b.x.
+Point moved_along_y(Point p, Point a, Point b) {
+  // The second step corrects the rounding of the first, which can be a long one.
+  for (int step = 0; step < 2; ++step) p.y -= exact_cross(a, b, p).estimate() / (b.x - a.x);
+  return p;
+}
+
+Point transposed(Point p) { return {p.y, p.x}; }
+
+/// If the predicates are not exact for the x coordinate of p: the nearest place of the edge u-v where it is zero or
+/// smallest_coordinate, if there is one. The edge is a part of the segment a-b.
+std::optional<Point> with_usable_x(Point p, Point u, Point v, Point a, Point b) {
+  if (is_usable(p.x)) return {};
+  std::array candidates{0.0, std::copysign(smallest_coordinate, p.x)};
+  if (std::abs(p.x) > smallest_coordinate / 2) std::swap(candidates[0], candidates[1]);
+  for (const double x : candidates) {
+    if (!(std::min(u.x, v.x) < x && x < std::max(u.x, v.x))) continue;
+    const Point q = moved_along_y({x, p.y}, a, b);
+    if (is_usable(q.y)) return q;
+  }
+  return {};
+}
+
+/// p, a point of the edge u-v, if the predicates are exact for it. Otherwise a point of the edge beside it for which
+/// they are; u if there is none. The edge is a part of the segment a-b.
+Point usable_on_edge(Point p, Point u, Point v, Point a, Point b) {
+  if (is_usable(p)) return p;
+  if (const auto q = with_usable_x(p, u, v, a, b)) return *q;
+  if (const auto q = with_usable_x(transposed(p), transposed(u), transposed(v), transposed(a), transposed(b)))
+    return transposed(*q);
+  return u;
 }
 
 /// By how much the distances of two points from their apex may differ on one shell, by the rounding of coordinates.
@@ -79,10 +122,12 @@ VertexId centre_of_wedge(const Triangulation& t, const DomainSegment& segment, P
   return here * here * squared_angle <= there * there * squared_other_angle ? segment.narrow_apex : other;
 }
 
-/// The fraction at which the edge a-b is split if its distance from the centre is a number with few binary digits.
+/// The fraction at which the edge a-b is split if its distance from the centre is a number with few binary digits. In
+/// the middle if the edge is so short that distances from the centre do not resolve it.
 double fraction_around(Point centre, Point a, Point b) {
   const double at_a = distance(centre, a), at_b = distance(centre, b);
   const double near = std::min(at_a, at_b), far = std::max(at_a, at_b);
+  if (far - near < 0x1p-44 * far) return 0.5;
   return (shortest_number((2 * near + far) / 3, (near + 2 * far) / 3) - at_a) / (at_b - at_a);
 }
 
@@ -214,7 +259,7 @@ Point edge_split_point(const Triangulation& t, const DomainSegments& segments, I
   }
   const Point p{pa.x + fraction * (pb.x - pa.x), pa.y + fraction * (pb.y - pa.y)};
   const Point on_line = projected(p, t.points[segment.a], t.points[segment.b]);
-  return {snapped(on_line.x), snapped(on_line.y)};
+  return usable_on_edge(on_line, pa, pb, t.points[segment.a], t.points[segment.b]);
 }
 
 std::optional<SmallAngle> small_angle(const Triangulation& t, const DomainSegments& segments, const Criteria& criteria,

@@ -28,7 +28,10 @@ namespace pardel::engine {
 /// stay side by side even if their far ends do not. If the other end is an apex, too, this holds around the apex whose
 /// wedge is narrower at the edge. An edge longer than one and a half `pieces` that would be halved is split into two
 /// whole numbers of about equal pieces of about this length. Halves of halves could be much shorter than the edges of a
-/// patch beside the segment. The point lies on the segment up to the rounding of its coordinates.
+/// patch beside the segment. The point lies on the segment up to the rounding of its coordinates, and the predicates
+/// are exact for it (is_usable()). If the place has a coordinate for which they are not, the point is the nearest place
+/// of the edge where this coordinate is zero or smallest_coordinate; it is a if there is no such place, so that no edge
+/// is split there.
 [[nodiscard]] Point edge_split_point(const Triangulation& t, const DomainSegments& segments, Index number, VertexId a,
                                      VertexId b, double floor = 0, double pieces = INFINITY);
 

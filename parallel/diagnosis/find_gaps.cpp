@@ -23,14 +23,17 @@ namespace {
 
 /// What is narrow in a domain.
 struct Narrow {
-  double always;      ///< narrower than this
   double relatively;  ///< narrower than this, and than a thousandth of the surroundings
+  double most;        ///< what is wider is nowhere narrow
+
+  /// At this place, what is narrower is always narrow.
+  [[nodiscard]] static double always(Point p) { return 0x1p-32 * std::max(std::abs(p.x), std::abs(p.y)); }
 };
 
 Narrow narrow_in(const Array<Point>& points, const Threads& threads) {
   const Box box = bounding_box(threads, points.size(), [&](std::size_t i) { return points[i]; });
-  const double always = 0x1p-32 * box.largest_magnitude();
-  return {always, std::max(always, 1e-6 * box.extent())};
+  const double relatively = 1e-6 * box.extent();
+  return {relatively, std::max(relatively, 0x1p-32 * box.largest_magnitude())};
 }
 
 /// So many edges of a vertex are enough for a median. A vertex may have any number of them.
@@ -55,7 +58,7 @@ class GapSearch {
     const unsigned shortest = shape.shortest_side();
     const double length = std::sqrt(shape.shortest_squared());
     const double height = shape.twice_area / std::sqrt(shape.longest_squared());
-    if (length < narrow_.relatively) add_pair(EdgeRef(id, shortest), found);
+    if (length < narrow_.most) add_pair(EdgeRef(id, shortest), found);
     if (length > 2 * height) find_segment_below(id, shape, found);
   }
 
@@ -90,7 +93,7 @@ class GapSearch {
   /// Nobody drew the sides of the convex hull. Among many random points some are near them, which means nothing.
   void add(Gap gap, std::vector<Gap>& found) const {
     const bool is_drawn = gap.kind != GapKind::point_near_hull;
-    if (gap.distance < narrow_.always ||
+    if (gap.distance < Narrow::always(gap.where) ||
         (is_drawn && gap.distance < narrow_.relatively && much_narrower * gap.distance < gap.surroundings))
       found.push_back(std::move(gap));
   }
@@ -104,7 +107,7 @@ class GapSearch {
     const double wide = distance(u, v);
     double surroundings = surroundings_at(e.triangle(), u);
     // Mostly, the surroundings of u are already small enough.
-    if (wide < narrow_.always || much_narrower * wide < surroundings)
+    if (wide < Narrow::always(t_.points[u]) || much_narrower * wide < surroundings)
       surroundings = std::min(surroundings, surroundings_at(e.triangle(), v));
     const GapKind kind = segment == no_index ? GapKind::close_points : GapKind::short_segment;
     add({kind, {input(u), input(v)}, segment, wide, surroundings, t_.points[u]}, found);
@@ -144,7 +147,7 @@ class GapSearch {
 std::vector<Gap> gaps_in_share(const DomainTriangulation& domain, Share share, const Threads& threads) {
   const Triangulation& t = domain.triangulation;
   const Narrow narrow = narrow_in(t.points, threads);
-  const double squared = narrow.relatively * narrow.relatively;
+  const double squared = narrow.most * narrow.most;
   const std::size_t begin = share.begin(t.slots.size());
   const Array<Index> flat = indices_where(threads, share.end(t.slots.size()) - begin, [&](std::size_t i) {
     const Shape shape(t, t.slots[begin + i]);

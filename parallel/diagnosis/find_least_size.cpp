@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "../arithmetic/distance.hpp"
+#include "../arithmetic/floor.hpp"
 #include "../concurrency/parallel_arrays.hpp"
-#include "../conversion/least_min_edge.hpp"
 #include "../triangulation/triangle_shape.hpp"
 #include "straight_walk.hpp"
 
@@ -32,7 +32,7 @@ class LeastSizeSearch {
       : domain_(domain),
         t_(domain.triangulation),
         edges_(std::tan(min_angle_deg * std::numbers::pi / 180) / 2),
-        min_edge_(min_edge) {}
+        floor_(min_edge) {}
 
   void examine(TriangleId id) {
     for (unsigned side = 0; side < 3; ++side)
@@ -85,19 +85,20 @@ class LeastSizeSearch {
       return height(u) + (height(v) - height(u)) * ((at - at_u) / (at_v - at_u));
     };
     const double width = std::max(height_at(first), height_at(last));
-    if (!(width >= min_edge_)) return;
     const double triangles = (last - first) * length * edges_ / width, middle = (first + last) / 2;
+    const Point where{a.x + middle * (b.x - a.x), a.y + middle * (b.y - a.y)};
+    if (!(width >= floor_.at(where))) return;
     found_.triangles += triangles;
     if (triangles <= most_) return;
     most_ = triangles;
     found_.width = width;
-    found_.where = {a.x + middle * (b.x - a.x), a.y + middle * (b.y - a.y)};
+    found_.where = where;
   }
 
   const DomainTriangulation& domain_;
   const Triangulation& t_;
   double edges_;  ///< the least number of edges on a segment, for a length equal to the width
-  double min_edge_;
+  Floor floor_;
   double most_ = 0;
   LeastSize found_;
 };
@@ -110,7 +111,7 @@ LeastSize find_least_size(const DomainTriangulation& domain, double min_angle_de
   if (!(min_angle_deg > 0)) return {};
   const Array<Index> thin =
       indices_where(threads, t.slots.size(), [&](std::size_t id) { return stands_on_flat_side(t, t.slots[id]); });
-  LeastSizeSearch search(domain, min_angle_deg, std::max(min_edge, least_min_edge(t.points.span())));
+  LeastSizeSearch search(domain, min_angle_deg, min_edge);
   SparseAsk ask(threads.stop);
   for (const TriangleId id : thin) {
     ask();

@@ -82,9 +82,8 @@ class RunInRanks {
   /// The piece of this rank, by refinement of the whole domain.
   [[nodiscard]] Result<MeshPiece> refine(DomainTriangulation& domain, const Criteria& criteria, InputData input,
                                          Report report) {
-    const Options resolved = resolvable(options_, domain.triangulation);
     Distribution distribution(ranks_, domain.triangulation, domain.input_of_vertex.span(), input.points.markers);
-    return refine_in_ranks(domain, distribution, criteria, resolved, progress_, std::move(input), std::move(report),
+    return refine_in_ranks(domain, distribution, criteria, options_, progress_, std::move(input), std::move(report),
                            watch_);
   }
 

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -7,7 +6,6 @@
 #include <vector>
 
 #include "../../core/support/stopwatch.hpp"
-#include "../conversion/least_min_edge.hpp"
 #include "../distributed.hpp"
 #include "../distribution/refine_in_ranks.hpp"
 #include "../given_points/problems_of_points.hpp"
@@ -45,10 +43,6 @@ Result<MeshPiece> mesh_of(PartOfPslg&& input, const Goal& goal, const Options& o
   std::optional<DividedBackground> background;
   if (attributes.per_point() > 0) background.emplace(part, division, ranks, progress.threads());
   DividedPoints distribution(ranks, part, division);
-  Options resolved = options;
-  std::array least_edge{least_min_edge(part.domain.triangulation.points.span())};
-  distribution.take_largest(least_edge);
-  resolved.min_edge = std::max(resolved.min_edge, least_edge[0]);
   Report report;
   report.triangulate_seconds = watch.lap();
   InputData data;
@@ -58,7 +52,7 @@ Result<MeshPiece> mesh_of(PartOfPslg&& input, const Goal& goal, const Options& o
     caps.push_back(region.max_area);
   }
   const Criteria criteria(goal, placement_for(goal, options, false), std::move(caps));
-  Result<MeshPiece> piece = refine_in_ranks(part.domain, distribution, criteria, resolved, progress, std::move(data),
+  Result<MeshPiece> piece = refine_in_ranks(part.domain, distribution, criteria, options, progress, std::move(data),
                                             std::move(report), watch);
   if (piece && background) {
     std::move(*background).add_attributes(*piece, attributes, ranks);

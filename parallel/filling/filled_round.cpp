@@ -20,7 +20,7 @@ FilledRound::FilledRound(Filling filling, const Criteria& criteria, std::span<co
     : filling_(std::move(filling)),
       domain_(filling_.take_domain()),
       criteria_(criteria.with_patches({edges.begin(), edges.end()})),
-      options_(resolvable(options, domain_.triangulation)),
+      options_(options),
       pieces_(pieces) {
   const std::uint64_t allowed = options.max_vertices > 0 ? options.max_vertices - filling_.inner_points() : UINT64_MAX;
   const std::uint64_t wanted = most_vertices(domain_.triangulation.points.size(), filling_.triangles());

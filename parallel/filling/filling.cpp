@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "../arithmetic/floor.hpp"
 #include "../patches/border_edges.hpp"
 #include "../patches/cut_out.hpp"
 #include "../patches/find_patches.hpp"
@@ -34,8 +35,9 @@ Result<std::optional<Filling>> Filling::make(const Pslg& pslg, bool convex_hull,
                                              const Options& options, const Threads& threads, std::uint64_t pieces) {
   std::vector<double> allowed(edges.begin(), edges.end());
   // Edges from the border of a patch to what is around it can be shorter than those of the patch.
+  const double floor = Floor(options.min_edge).least();
   for (double& edge : allowed)
-    if (patch_clearance * edge < options.min_edge) edge = INFINITY;
+    if (patch_clearance * edge < floor) edge = INFINITY;
   Filling filling;
   filling.patches_ = find_patches(coarse.triangulation, allowed, clearings, threads);
   if (filling.patches_.empty()) return std::optional<Filling>();

@@ -1,9 +1,7 @@
 #include "refine_domain.hpp"
 
-#include <algorithm>
 #include <utility>
 
-#include "../conversion/least_min_edge.hpp"
 #include "../refinement/exemptions.hpp"
 
 namespace pardel::engine {
@@ -30,11 +28,6 @@ Watcher watcher(const DomainTriangulation& domain, const Options& options, ToMes
   };
 }
 
-Options resolvable(Options options, const Triangulation& t) {
-  options.min_edge = std::max(options.min_edge, least_min_edge(t.points.span()));
-  return options;
-}
-
 void write_report(DomainTriangulation& domain, const Criteria& criteria, const Options& options, RefineCounts&& counts,
                   const Threads& threads, Report& report, const std::function<bool(TriangleId)>& reports,
                   std::vector<EdgeRef>* undecided) {
@@ -51,14 +44,13 @@ void write_report(DomainTriangulation& domain, const Criteria& criteria, const O
 
 Result<Mesh> refine_domain(DomainTriangulation domain, const Criteria& criteria, InputData input,
                            const Options& options, ProgressMonitor& progress, Report& report) {
-  const Options resolved = resolvable(options, domain.triangulation);
   const auto convert = [&](DomainTriangulation&& snapshot) -> Result<Mesh> {
     return to_mesh(std::move(snapshot), input, progress.threads());
   };
-  Result<RefineCounts> counts = refine_by_sweeps(domain.triangulation, domain.segments, criteria, resolved, progress,
-                                                 {}, watcher(domain, options, convert));
+  Result<RefineCounts> counts = refine_by_sweeps(domain.triangulation, domain.segments, criteria, options, progress, {},
+                                                 watcher(domain, options, convert));
   if (!counts) return counts.error();
-  write_report(domain, criteria, resolved, std::move(*counts), progress.threads(), report);
+  write_report(domain, criteria, options, std::move(*counts), progress.threads(), report);
   return to_mesh(std::move(domain), std::move(input), progress.threads());
 }
 

@@ -35,9 +35,6 @@ using ToMesh = std::function<Result<Mesh>(DomainTriangulation&&)>;
 /// function. All references have to outlive it.
 [[nodiscard]] Watcher watcher(const DomainTriangulation& domain, const Options& options, ToMesh to_mesh);
 
-/// The options with the least length of an edge that double precision can resolve.
-[[nodiscard]] Options resolvable(Options options, const Triangulation& t);
-
 /// Writes to the report what a refinement has done, and which triangles it left. `options`: those of the refinement.
 /// `reports`: if given, only triangles for which it is true are reported. `undecided`: see exemptions().
 void write_report(DomainTriangulation& domain, const Criteria& criteria, const Options& options, RefineCounts&& counts,

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "../../core/support/shortest.hpp"
+#include "../arithmetic/box.hpp"
 #include "../arithmetic/distance.hpp"
 #include "../arithmetic/predicates.hpp"
-#include "../concurrency/bounding_box.hpp"
 #include "../segments/plane_sweep.hpp"
 #include "../validate.hpp"
 #include "check_faces.hpp"
@@ -51,13 +51,12 @@ Moved moved_points(const Pslg& old, const Work& work, SparseAsk& ask) {
 /// The old segments with pieces that end beside them: at images of other points, or at crossings that were merged into
 /// points. Crossings that are only rounded do not count.
 Moved bent_segments(const Pslg& old, const Work& work, const std::vector<bool>& is_old, SparseAsk& ask) {
-  const Box box = bounding_box(1, old.points.size(), [&](std::size_t i) { return old.points[i]; });
-  const double rounding = 0x1p-50 * box.largest_magnitude();
   std::vector<double> distance(old.segments.size());
   for (std::size_t s = 0; s < work.source.size(); ++s) {
     ask();
     const Segment& whole = old.segments[work.source[s]];
     const Point a = old.points[whole.a], b = old.points[whole.b];
+    const double rounding = 0x1p-50 * Box::around(a, b).largest_magnitude();
     for (const Index end : {work.pslg.segments[s].a, work.pslg.segments[s].b}) {
       if (end == work.point_map[whole.a] || end == work.point_map[whole.b]) continue;
       const double beside = std::abs(orient2d(a, b, work.pslg.points[end])) / engine::distance(a, b);

@@ -4,9 +4,12 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <numeric>
+#include <unordered_map>
 
 #include "../arithmetic/box.hpp"
 #include "../arithmetic/distance.hpp"
+#include "../arithmetic/floor.hpp"
 #include "../concurrency/hilbert_order.hpp"
 
 namespace pardel::engine {
@@ -91,7 +94,6 @@ class Features {
  public:
   Features(const Pslg& pslg, const Polylines& lines, const Threads& threads)
       : pslg_(pslg), lines_(lines), ask_(threads.stop) {
-    for (const Point p : pslg.points) farthest_ = std::max({farthest_, std::abs(p.x), std::abs(p.y)});
     std::vector<Point> representative;
     for (const Polyline& line : lines.all) representative.push_back(pslg.points[line.vertices.front()]);
     std::vector<Index> corners;
@@ -113,6 +115,7 @@ class Features {
     }
     make_tree();
     runs_from_ends();
+    measure_parts();
   }
 
   /// The distance of a piece of a feature to the nearest feature that is apart from it; infinity if there is none.
@@ -148,12 +151,13 @@ class Features {
   [[nodiscard]] bool is_corner(Index f) const { return features_[f].line == no_index; }
   [[nodiscard]] Point from(Index f) const { return pslg_.points[features_[f].a]; }
   [[nodiscard]] Point to(Index f) const { return pslg_.points[features_[f].b]; }
-  [[nodiscard]] double extent() const { return boxes_[1].extent(); }
-  /// Shorter parts of segments are not divided. Far from the origin, coordinates have few digits for them.
-  [[nodiscard]] double shortest_part() const { return 0x1p-46 * std::max(extent(), farthest_); }
-  /// Below this width, all widths are alike. No mesh has such short edges (least_min_edge()), and where segments nearly
+  /// The extent of all polylines that are connected with the feature; 0 for a corner.
+  [[nodiscard]] double extent_around(Index f) const { return is_corner(f) ? 0 : extent_around_[features_[f].line]; }
+  /// Shorter parts of a segment are not divided there. Far from the origin, coordinates have few digits for them.
+  [[nodiscard]] static double shortest_part(Point p) { return Floor(0).at(p) / 16; }
+  /// Below this width, all widths at a place are alike. No mesh has such short edges there, and where segments nearly
   /// coincide, rounding makes the width change from place to place.
-  [[nodiscard]] double unresolved() const { return 0x1p-42 * farthest_; }
+  [[nodiscard]] static double unresolved(Point p) { return Floor(0).at(p); }
 
  private:
   struct Feature {
@@ -226,6 +230,23 @@ class Features {
     }
   }
 
+  void measure_parts() {
+    std::vector<Index> other(pslg_.points.size());  // in the same part; a point that names itself stands for its part
+    std::iota(other.begin(), other.end(), Index{0});
+    const auto part_of = [&](Index v) {
+      while (other[v] != v) v = other[v] = other[other[v]];
+      return v;
+    };
+    for (const Polyline& line : lines_.all) other[part_of(line.vertices.front())] = part_of(line.vertices.back());
+    std::unordered_map<Index, Box> box_of_part;
+    for (const Polyline& line : lines_.all) {
+      Box& box = box_of_part.try_emplace(part_of(line.vertices.front()), empty_box).first->second;
+      for (const Index v : line.vertices) box.cover(Box::around(pslg_.points[v]));
+    }
+    for (const Polyline& line : lines_.all)
+      extent_around_.push_back(box_of_part.at(part_of(line.vertices.front())).extent());
+  }
+
   /// True if none of the features from `first` to `last` is apart. They are consecutive and belong to one polyline, or
   /// are one corner.
   [[nodiscard]] bool touch(const Touching& touching, const Feature& first, const Feature& last) const {
@@ -271,19 +292,20 @@ class Features {
       best = std::min(best, distance_of(a, b, pslg_.points[front.a], pslg_.points[front.b]));
       return;
     }
-    // What is left out is farther by more than the rounding of distances, so that the order does not matter.
-    const double margin = extent() * 0x1p-40;
     std::array<std::size_t, 2> child = {2 * node, 2 * node + 1};
     std::array<double, 2> away = {distance_of(boxes_[child[0]], box), distance_of(boxes_[child[1]], box)};
     const unsigned nearer = away[1] < away[0] ? 1 : 0;
-    for (const unsigned i : {nearer, 1 - nearer})
+    for (const unsigned i : {nearer, 1 - nearer}) {
+      // What is left out is farther by more than the rounding of distances, so that the order does not matter.
+      const double margin = std::max({best, box.extent(), boxes_[child[i]].extent()}) * 0x1p-40;
       if (away[i] <= best + margin) search(child[i], first + i * (count / 2), count / 2, touching, a, b, box, best);
+    }
   }
 
   const Pslg& pslg_;
   const Polylines& lines_;
   SparseAsk ask_;
-  double farthest_ = 0;  ///< the largest magnitude of a coordinate
+  std::vector<double> extent_around_;  ///< of each polyline
   std::vector<Feature> features_;
   std::vector<Index> line_begin_;             ///< the first feature of each polyline
   std::vector<Index> from_start_, from_end_;  ///< how many segments keep the direction of the first, or of the last
@@ -306,11 +328,15 @@ class Widths {
   Widths(Features& features, double edges, double slope, std::vector<GrowingSize>& out)
       : features_(features), edges_(edges), out_(slope, out) {}
 
-  void add(Index feature) { add(features_.touching(feature), features_.from(feature), features_.to(feature)); }
+  void add(Index feature) {
+    extent_ = features_.extent_around(feature);
+    add(features_.touching(feature), features_.from(feature), features_.to(feature));
+  }
 
  private:
   /// Divides the piece until the distance to other features changes little along each part. Along a channel that is
-  /// much narrower than the domain it changes little along long parts, too; near a single narrow place it does not.
+  /// much narrower than the part of the domain around it, it changes little along long parts, too; near a single narrow
+  /// place it does not.
   void add(const Touching& touching, Point a, Point b) {
     constexpr double part = 0.25, short_part = 0x1p-16, narrow_part = 0x1p-8;
     const double width = features_.nearest_apart(touching, a, b), length = distance(a, b);
@@ -320,10 +346,10 @@ class Widths {
       return std::ranges::all_of(std::array{a, middle, b},
                                  [&](Point y) { return features_.nearest_apart(touching, y, y) <= most; });
     };
-    const double extent = features_.extent(), unresolved = features_.unresolved();
-    if (length <= part * width || length <= features_.shortest_part() ||
-        (length <= short_part * extent && is_nowhere_above(2 * width)) ||
-        (length <= narrow_part * extent && width <= unresolved && is_nowhere_above(unresolved)))
+    const double unresolved = Features::unresolved(middle);
+    if (length <= part * width || length <= Features::shortest_part(middle) ||
+        (length <= short_part * extent_ && is_nowhere_above(2 * width)) ||
+        (length <= narrow_part * extent_ && width <= unresolved && is_nowhere_above(unresolved)))
       return out_.add(a, b, width / edges_);
     add(touching, a, middle);
     add(touching, middle, b);
@@ -331,6 +357,7 @@ class Widths {
 
   Features& features_;
   double edges_;
+  double extent_ = 0;  ///< Features::extent_around() of the feature that is added
   Joined out_;
 };
 

@@ -11,7 +11,8 @@ bool Assessor::forbidden(EdgeRef e) const {
 
 bool Assessor::below_floor(EdgeRef e) const {
   const Point a = t_.points[t_.slot(e).from(e.side())], b = t_.points[t_.slot(e).to(e.side())];
-  return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y) < 4 * squared_floor_;
+  const double floor = floor_.along(a, b);
+  return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y) < 4 * floor * floor;
 }
 
 /// The first constrained side that has to be split and may be split; 3 if there is no such side.
@@ -60,7 +61,8 @@ Index Assessor::segment_of(EdgeRef e) const {
 
 Point Assessor::point_on(EdgeRef e) const {
   const Slot& slot = t_.slot(e);
-  return edge_split_point(t_, segments_, segment_of(e), slot.from(e.side()), slot.to(e.side()), options_.min_edge,
+  const VertexId a = slot.from(e.side()), b = slot.to(e.side());
+  return edge_split_point(t_, segments_, segment_of(e), a, b, floor_.along(t_.points[a], t_.points[b]),
                           criteria_.length_of_pieces(region_of(e.triangle())));
 }
 

@@ -3,6 +3,7 @@
 
 #include <cassert>
 
+#include "../arithmetic/floor.hpp"
 #include "../criteria/criteria.hpp"
 #include "../criteria/small_angles.hpp"
 #include "../options.hpp"
@@ -27,11 +28,7 @@ struct Assessment {
 class Assessor {
  public:
   Assessor(const Triangulation& t, const DomainSegments& segments, const Criteria& criteria, const Options& options)
-      : t_(t),
-        segments_(segments),
-        criteria_(criteria),
-        options_(options),
-        squared_floor_(options.min_edge * options.min_edge) {}
+      : t_(t), segments_(segments), criteria_(criteria), options_(options), floor_(options.min_edge) {}
 
   /// The queue entry for the triangle that the slot `id` holds now, with the side from its assessment.
   [[nodiscard]] QueuedTriangle entry(TriangleId id, const Assessment& a) const {
@@ -58,11 +55,10 @@ class Assessor {
   [[nodiscard]] Assessment assess_inside(TriangleId id, const Measure& m, LocalHints& hints) const {
     const bool large = too_large(id, m, hints);
     if (!large && !criteria_.bad_shape(m)) return {};
-    const double shortest = m.shortest_squared();
-    if (shortest < squared_floor_ || (!large && small_angle(t_, segments_, criteria_, t_.slots[id], m)))
+    if (below_floor(id, m) || (!large && small_angle(t_, segments_, criteria_, t_.slots[id], m)))
       return {.left_alone = true};
-    return {Assessment::Need::split_triangle, m.shortest_side(), BucketQueue::key(shortest), m.longest_squared(),
-            false};
+    return {Assessment::Need::split_triangle, m.shortest_side(), BucketQueue::key(m.shortest_squared()),
+            m.longest_squared(), false};
   }
   [[nodiscard]] bool has_local_size() const { return criteria_.has_local_size(); }
   [[nodiscard]] bool searches() const { return criteria_.searches(); }
@@ -82,8 +78,12 @@ class Assessor {
   [[nodiscard]] bool is_non_delaunay_segment(EdgeRef side) const;
   /// True if the options do not allow to split the edge, or if it lies on the border of a patch.
   [[nodiscard]] bool forbidden(EdgeRef e) const;
-  /// True if the halves of the edge would be shorter than options.min_edge (the floor).
+  /// True if the halves of the edge would be shorter than the floor.
   [[nodiscard]] bool below_floor(EdgeRef e) const;
+  /// True if the shortest side of the triangle is shorter than the floor where this side begins.
+  [[nodiscard]] bool below_floor(TriangleId id, const Measure& m) const {
+    return m.shortest_squared() < floor_.squared_at(t_.points[t_.slots[id].from(m.shortest_side())]);
+  }
   [[nodiscard]] bool too_large(TriangleId id, LocalHints& hints) const {
     return too_large(id, Shape(t_, t_.slots[id]), hints);
   }
@@ -123,7 +123,7 @@ class Assessor {
   const DomainSegments& segments_;
   const Criteria& criteria_;
   const Options& options_;
-  double squared_floor_;
+  Floor floor_;
 };
 
 }  // namespace pardel::engine

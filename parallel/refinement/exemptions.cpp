@@ -15,7 +15,6 @@ class Reasons {
       : t_(t),
         segments_(segments),
         criteria_(criteria),
-        options_(options),
         budget_reached_(budget_reached),
         assessor_(t, segments, criteria, options),
         insertion_(t, criteria, options.min_edge) {}
@@ -37,7 +36,7 @@ class Reasons {
         return {id, small->reason, small->apex, small->angle_deg};
     if (budget_reached_) return {id, ExemptReason::budget};
     if (side < 3) return {id, of_edge(EdgeRef(id, side))};
-    if (shape.shortest_squared() < options_.min_edge * options_.min_edge) return {id, ExemptReason::min_edge};
+    if (assessor_.below_floor(id, shape)) return {id, ExemptReason::min_edge};
     const Point p = criteria_.split_point(shape, assessor_.region_of(id));
     const Outcome outcome = insertion_.try_in_face(p, id, everywhere_);
     return {id, outcome == Outcome::encroaches ? of_edge(insertion_.blocker()) : of(outcome)};
@@ -51,7 +50,6 @@ class Reasons {
   Triangulation& t_;
   const DomainSegments& segments_;
   const Criteria& criteria_;
-  const Options& options_;
   bool budget_reached_;
   Assessor assessor_;
   Insertion insertion_;

@@ -96,7 +96,7 @@ Outcome Insertion::try_in_face(Point p, TriangleId first, const Box& box) {
 
   blocker_ = cavity_.touches_constraint() ? longest_encroached() : EdgeRef();
   if (!blocker_.none()) return Outcome::encroaches;
-  if (too_close()) return Outcome::too_close;
+  if (too_close(p)) return Outcome::too_close;
   // A complete cavity without a blocker is star-shaped. Let x lie inside one of its triangles. The segment from x to p
   // crosses triangles of the cavity only (THEORY, Lemma 1), as long as it crosses no constrained edge. If it does, this
   // edge belongs to the boundary of the cavity, and p lies on the line of the edge or beyond, so it is a blocker.
@@ -144,7 +144,7 @@ Outcome Insertion::try_on_edge(Point p, EdgeRef e, const Box& box) {
   const bool is_cavity = walk == Walk::complete && in_circumdisk(t_, t_.slot(e), p) &&
                          (other.none() || in_circumdisk(t_, t_.slot(other), p));
   is_star_ = measure_fan(p) && is_cavity;
-  return too_close() ? Outcome::too_close : Outcome::inserted;
+  return too_close(p) ? Outcome::too_close : Outcome::inserted;
 }
 
 Outcome Insertion::split_edge(Point p, EdgeRef e, Index segment, const Box& box) {

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "../arithmetic/floor.hpp"
 #include "../concurrency/index_allocator.hpp"
 #include "../concurrency/lattice.hpp"
 #include "../criteria/criteria.hpp"
@@ -17,7 +18,7 @@ enum class Outcome : std::uint8_t {
   inserted,
   encroaches,  ///< the constrained edge blocker() has to be split instead, or lies on the border of a patch
   leaves_box,  ///< the insertion needs a larger or another box; if flips are needed, the whole plane
-  too_close,   ///< an edge shorter than min_edge would result
+  too_close,   ///< an edge shorter than the floor would result
   refused,     ///< no valid triangulation would result in double precision
 };
 
@@ -29,12 +30,12 @@ struct FreeIndices {
 };
 
 /// Inserts points into one triangulation, one at a time, each within a box: only triangles with all corners in the box
-/// are changed. Every new triangle is exactly positively oriented. No new edge is shorter than `min_edge`, up to the
-/// rounding of squared lengths. Refinement therefore ends, because only finitely many points fit.
+/// are changed. Every new triangle is exactly positively oriented. No new edge is shorter than the floor at the new
+/// point, up to the rounding of squared lengths. Refinement therefore ends, because only finitely many points fit.
 class Insertion {
  public:
   Insertion(Triangulation& t, const Criteria& criteria, double min_edge)
-      : t_(t), criteria_(criteria), squared_floor_(min_edge * min_edge) {}
+      : t_(t), criteria_(criteria), floor_(min_edge) {}
 
   /// Later insertions take their indices from `free`. Before each insertion, free.suffice() has to be true.
   void start(FreeIndices& free) {
@@ -93,14 +94,14 @@ class Insertion {
   /// The longest constrained edge of the boundary on which the point encroaches or beyond which it lies; none() if
   /// there is no such edge. Edges on the border of a patch, which cannot be split, come last.
   [[nodiscard]] EdgeRef longest_encroached() const;
-  [[nodiscard]] bool too_close() const { return squared_closest_ < squared_floor_; }
+  [[nodiscard]] bool too_close(Point p) const { return squared_closest_ < floor_.squared_at(p); }
   Outcome edge_by_flips(Point p, EdgeRef e, Index segment);
   void commit(Point p, Index origin);
   void finish_by_flips();
 
   Triangulation& t_;
   const Criteria& criteria_;
-  double squared_floor_;
+  Floor floor_;
   FreeIndices* free_ = nullptr;
   Cavity cavity_;
   bool is_star_ = false;              ///< after try_in_face and try_on_edge: the cavity is star-shaped around the point

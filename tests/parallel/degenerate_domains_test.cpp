@@ -3,13 +3,18 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <vector>
 
+#include "../../parallel/arithmetic/floor.hpp"
 #include "../../parallel/arithmetic/predicates.hpp"
 #include "../../parallel/mesher.hpp"
 #include "../../properties/checker/check.hpp"
 #include "../../properties/domains/domains.hpp"
+#include "on_segment.hpp"
 #include "samples.hpp"
 
 namespace pardel::engine {
@@ -211,6 +216,105 @@ TEST(FarOffset, too_far_for_the_size_of_the_domain_ends_with_reasons) {
     EXPECT_GT(meshed->report.count(ExemptReason::min_edge), 0U);
     EXPECT_TRUE(check(pslg, meshed->mesh, {.min_angle_deg = 0}).valid);
   }
+}
+
+/// The corners of each triangle, from the lexicographically least one on; sorted.
+std::vector<std::array<double, 6>> triangles_of(const Mesh& m) {
+  std::vector<std::array<double, 6>> all;
+  for (const Triangle& t : m.triangles) {
+    std::array<std::array<double, 2>, 3> corners;
+    for (unsigned i = 0; i < 3; ++i) corners[i] = {m.points[t.v[i]].x, m.points[t.v[i]].y};
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    all.push_back({corners[0][0], corners[0][1], corners[1][0], corners[1][1], corners[2][0], corners[2][1]});
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+const std::vector<Goal> small_goals{
+    {.min_angle_deg = 30}, {.min_angle_deg = 25, .max_area = 0.003}, {.min_angle_deg = 28, .feature_edges = 2}};
+
+/// With vertices on all sides of a crack.
+Pslg cracked_square() {
+  Pslg pslg = box(0, 1);
+  add_segment(pslg, {0.2, 0.3}, {0.7, 0.35});
+  pslg.points.push_back({0.4, 0.37});
+  return pslg;
+}
+
+TEST(FarPoint, outside_of_the_domain_changes_no_triangle) {
+  const Pslg alone = cracked_square();
+  for (const Goal& goal : small_goals)
+    for (const Point far : {Point{1e12, 1e12}, Point{-1e20, 3}, Point{0, 0x1p190}}) {
+      SCOPED_TRACE(far.x);
+      Pslg pslg = alone;
+      pslg.points.push_back(far);
+      const Result<Meshed> meshed = mesh(pslg, goal), expected = mesh(alone, goal);
+      ASSERT_TRUE(meshed && expected);
+      EXPECT_TRUE(meshed->report.goal_met());
+      EXPECT_TRUE(check(pslg, meshed->mesh, goal).valid);
+      EXPECT_EQ(meshed->mesh.triangles.size(), expected->mesh.triangles.size());
+      EXPECT_TRUE(triangles_of(meshed->mesh) == triangles_of(expected->mesh));
+    }
+}
+
+TEST(Components, of_very_different_sizes_get_the_meshes_of_each_alone) {
+  const Pslg small = cracked_square(), large = domains::moved(cracked_square(), 0x1p61, 0x1p59, 0x1p60);
+  Pslg both = small;
+  const auto first = static_cast<Index>(both.points.size());
+  both.points.insert(both.points.end(), large.points.begin(), large.points.end());
+  for (const Segment& s : large.segments) both.segments.push_back({first + s.a, first + s.b});
+  for (const double angle : {20.7, 30.0}) {
+    SCOPED_TRACE(angle);
+    const Goal goal{.min_angle_deg = angle};
+    const Result<Meshed> meshed = mesh(both, goal), one = mesh(small, goal), other = mesh(large, goal);
+    ASSERT_TRUE(meshed && one && other);
+    EXPECT_TRUE(meshed->report.goal_met());
+    EXPECT_TRUE(check(both, meshed->mesh, goal).valid);
+    std::vector<std::array<double, 6>> expected = triangles_of(one->mesh);
+    for (const auto& triangle : triangles_of(other->mesh)) expected.push_back(triangle);
+    std::sort(expected.begin(), expected.end());
+    EXPECT_EQ(meshed->mesh.triangles.size(), expected.size());
+    EXPECT_TRUE(triangles_of(meshed->mesh) == expected);
+  }
+  // Tiles of other sizes make slightly different meshes.
+  for (const Goal& goal : {Goal{.min_angle_deg = 28, .feature_edges = 3}, Goal{.min_angle_deg = 28, .grading = 0.2}}) {
+    const Result<Meshed> meshed = mesh(both, goal), one = mesh(small, goal), other = mesh(large, goal);
+    ASSERT_TRUE(meshed && one && other);
+    EXPECT_TRUE(meshed->report.goal_met());
+    const double sum = static_cast<double>(one->mesh.triangles.size() + other->mesh.triangles.size());
+    EXPECT_LT(static_cast<double>(meshed->mesh.triangles.size()), 1.05 * sum);
+  }
+}
+
+/// Coordinates below 2^-140 are not possible, and edges below 2^-129 are not made.
+TEST(TinyDomain, ends_with_vertices_on_its_segments) {
+  for (int exponent = -138; exponent <= -100; ++exponent)
+    for (const double slope : {0.0, 0.01, 0.3, 1.0}) {
+      SCOPED_TRACE(std::to_string(exponent) + ", " + std::to_string(slope));
+      Pslg pslg = box(-1, 1);
+      add_segment(pslg, {-0.75, -0.75 * slope}, {0.5, 0.5 * slope});
+      add_segment(pslg, {-0.5 * slope - 0.0625, 0.5}, {0.625 * slope - 0.0625, -0.625});
+      if (!find_problems(pslg).empty()) pslg.segments.pop_back();
+      pslg = domains::moved(pslg, 0, 0, std::ldexp(1.0, exponent));
+      if (!find_problems(pslg).empty()) continue;
+      const Goal goal{.min_angle_deg = 28, .max_area = std::ldexp(0.001, 2 * exponent)};
+      const Result<Meshed> meshed = mesh(pslg, goal);
+      ASSERT_TRUE(meshed) << meshed.error().message;
+      const Mesh& m = meshed->mesh;
+      for (std::size_t v = 0; v < m.points.size(); ++v) {
+        EXPECT_TRUE(is_usable(m.points[v]));
+        const Index s = segment_of_origin(m.origin[v]);
+        if (s >= pslg.segments.size()) continue;
+        const Point a = pslg.points[pslg.segments[s].a], b = pslg.points[pslg.segments[s].b];
+        EXPECT_TRUE(samples::is_on_line(m.points[v], a, b)) << v;
+      }
+      EXPECT_TRUE(check(pslg, m, {.min_angle_deg = 0}).valid);
+      if (exponent > -116) {
+        EXPECT_TRUE(meshed->report.goal_met());
+      }
+      EXPECT_EQ(meshed->report.count(ExemptReason::precision), 0U);
+    }
 }
 
 /// Points rounded onto a slanted line: the hull has corners of 179.99999999999 degrees, and slivers along it are too

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "../../parallel/arithmetic/floor.hpp"
 #include "../../parallel/mesher.hpp"
 #include "../../properties/checker/check.hpp"
 #include "../../properties/domains/domains.hpp"
@@ -185,6 +186,33 @@ TEST(Floor, has_a_least_value) {
   ASSERT_TRUE(none && tiny);
   EXPECT_GE(shortest_edge(none->mesh), 4987654 * 0x1p-42);
   EXPECT_EQ(none->mesh, tiny->mesh);
+}
+
+/// Sizes go to zero at a corner, so edges become as short as the floor allows there.
+TEST(Floor, is_that_of_each_place) {
+  Goal goal;
+  for (const Point corner : {Point{0, 0}, Point{1, 1}, Point{0x1p20, 0x1p20}}) {
+    Pslg pslg = domains::square();
+    pslg.points.push_back({0x1p20, 0x1p20});
+    pslg.points.push_back({0x1p20 + 1, 0x1p20});
+    pslg.points.push_back({0x1p20, 0x1p20 + 1});
+    pslg.segments.insert(pslg.segments.end(), {{4, 5}, {5, 6}, {6, 4}});
+    goal.size = [=](Point p) { return 0.5 * std::hypot(p.x - corner.x, p.y - corner.y); };
+    const Result<Meshed> meshed = mesh(pslg, goal);
+    ASSERT_TRUE(meshed) << meshed.error().message;
+    const Mesh& m = meshed->mesh;
+    double shortest = infinity;
+    for (const Triangle& t : m.triangles)
+      for (int i = 0; i < 3; ++i) {
+        const Point a = m.points[t.v[i]], b = m.points[t.v[(i + 1) % 3]];
+        const double length = std::hypot(a.x - b.x, a.y - b.y);
+        EXPECT_GE(length, 0.999999 * Floor(0).along(a, b));
+        shortest = std::min(shortest, length);
+      }
+    EXPECT_LT(shortest, 8 * Floor(0).at(corner)) << corner.x;
+    EXPECT_EQ(meshed->report.count(ExemptReason::min_edge), meshed->report.exempt.size());
+    EXPECT_GT(meshed->report.exempt.size(), 0U);
+  }
 }
 
 TEST(Floor, holds_near_a_point_that_almost_touches_a_segment) {

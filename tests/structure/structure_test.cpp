@@ -34,7 +34,6 @@ const std::map<std::string, std::vector<std::string>> covering_tests = {
     {"concurrency/watched_array", {"scheduling/touches_test"}},
     {"conversion/export_mesh", {"conversion/import_export_test"}},
     {"conversion/import_mesh", {"conversion/import_export_test"}},
-    {"conversion/least_min_edge", {"diagnosis/find_least_size_test"}},
     {"construction/begin_with_latest", {"construction/delaunay_test", "divided_points/mesh_of_points_test"}},
     {"construction/insertion_order", {"construction/delaunay_test", "given_points/local_delaunay_test"}},
     {"distribution/refine_in_ranks", {"distribution/pieces_test"}},

@@ -4,8 +4,10 @@
 
 #include <cmath>
 
+#include "../../../parallel/arithmetic/floor.hpp"
 #include "../../../properties/checker/arithmetic/exact.hpp"
 #include "../../../properties/checker/check.hpp"
+#include "../on_segment.hpp"
 #include "../samples.hpp"
 
 namespace pardel::engine {
@@ -237,6 +239,83 @@ TEST(EdgeSplitPoint, stays_on_its_line_however_often_the_line_is_split) {
         (random.below(2) == 0 ? u : v) = inwards.split(0, u, v);
       expect_on_line(inwards, "towards a point inside");
     }
+}
+
+/// A coordinate of any size. Two of them are often equal, or far from the origin for their difference.
+class Coordinates {
+ public:
+  Coordinates(samples::Random& random, int least, int most)
+      : random_(random), size_(random.between(least, most)), offset_(random.below(3) == 0 ? near(0, size_) : 0) {
+    if (offset_ != 0) size_ -= random.between(0, 50);
+  }
+  [[nodiscard]] double next() {
+    if (random_.below(8) == 0) return offset_;
+    for (;;)
+      if (const double x = near(offset_, random_.below(8) == 0 ? size_ - random_.between(0, 60) : size_); is_usable(x))
+        return x;
+  }
+
+ private:
+  [[nodiscard]] double near(double centre, int size) {
+    return centre + std::ldexp(random_.uniform(1, 2) * (random_.below(2) == 0 ? 1 : -1), size);
+  }
+  samples::Random& random_;
+  int size_;
+  double offset_ = 0;
+};
+
+/// Splits a segment of random size and place again and again, as long as the engine would. Returns how many points were
+/// put on it.
+int split_at_random(samples::Random& random, int least, int most, const std::string& what) {
+  Coordinates x(random, least, most), y(random, least, most);
+  const auto point = [&] { return Point{x.next(), y.next()}; };
+  const Point a = point(), b = point(), c = point(), d = point();
+  if (a == b || a == c || b == d || c == d || a == d || b == c) return 0;
+  Corner corner(a, b, c, d);
+  VertexId u = 0, v = 1;
+  int points = 0;
+  for (int i = 0; i < 60; ++i) {
+    const Point from = corner.t.points[u], to = corner.t.points[v];
+    if (distance(from, to) < 2 * Floor(0).along(from, to)) break;
+    const VertexId middle = corner.split(0, u, v);
+    const Point p = corner.t.points[middle];
+    if (p == from) break;
+    ++points;
+    EXPECT_TRUE(is_usable(p)) << what;
+    EXPECT_FALSE(p == to) << what;
+    EXPECT_TRUE(samples::is_on_line(p, a, b)) << what << ", after split " << i;
+    (random.below(2) == 0 ? u : v) = middle;
+  }
+  return points;
+}
+
+TEST(EdgeSplitPoint, lies_within_two_units_of_its_segment_at_any_scale) {
+  int points = 0;
+  for (std::uint64_t seed = 1; seed <= 20'000; ++seed) {
+    samples::Random random(seed);
+    points += split_at_random(random, -130, 190, "seed " + std::to_string(seed));
+  }
+  EXPECT_GT(points, 200'000);
+}
+
+TEST(EdgeSplitPoint, lies_within_two_units_of_its_segment_where_coordinates_are_hardly_usable) {
+  int points = 0;
+  for (std::uint64_t seed = 1; seed <= 20'000; ++seed) {
+    samples::Random random(seed);
+    points += split_at_random(random, -139, -120, "seed " + std::to_string(seed));
+  }
+  EXPECT_GT(points, 20'000);
+}
+
+TEST(EdgeSplitPoint, with_a_coordinate_that_is_too_small_is_moved_along_the_segment) {
+  const auto split = [](Point a, Point b) {
+    Corner corner(a, b, {a.x, a.y + 0x1p-100}, {b.x, b.y + 0x1p-100});
+    return edge_split_point(corner.t, corner.segments, 0, 0, 1);
+  };
+  constexpr double least = smallest_coordinate;
+  EXPECT_EQ(split({-4 * least, -0x1p-120}, {4.5 * least, 0x1p-120}), (Point{0, -0x1p-120 / 17})) << "to an axis";
+  EXPECT_EQ(split({0, -0x1p-120}, {1.5 * least, 0x1p-120}), (Point{least, 0x1p-120 / 3})) << "away from an axis";
+  EXPECT_EQ(split({0, -0x1p-120}, {least, 0x1p-120}), (Point{0, -0x1p-120})) << "nowhere: to its end";
 }
 
 /// One triangle with the given corners, some of whose sides are constrained.

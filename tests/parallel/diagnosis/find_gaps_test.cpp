@@ -29,6 +29,10 @@ Pslg square_with(const std::vector<Point>& points) {
   return pslg;
 }
 
+TEST(Gaps, are_not_all_distances_beside_a_far_point) {
+  EXPECT_TRUE(gaps_of(square_with({{0.5, 0.5}, {0.5, 0.75}, {1e12, 1e12}})).empty());
+}
+
 TEST(Gaps, are_two_points_that_nearly_touch) {
   const std::vector<Gap> gaps = gaps_of(square_with({{0.5, 0.5}, {0.5, 0.5 + 0x1p-30}}));
   ASSERT_EQ(gaps.size(), 1);

@@ -83,6 +83,17 @@ TEST(MeshOfPoints, close_to_a_line_is_the_mesh_of_one_process) {
   expect_the_mesh_of_one_process(domains::line_points(10'000, 1), {.min_angle_deg = 30}, {}, "line");
 }
 
+/// Two squares, one of them 2^40 times as large as the other, and a point far away from both.
+TEST(MeshOfPoints, of_very_different_sizes_is_the_mesh_of_one_process) {
+  Pslg pslg = domains::square();
+  const Pslg large = domains::moved(domains::square(), 0x1p41, 0x1p39, 0x1p40);
+  for (const Segment& s : large.segments) pslg.segments.push_back({s.a + 4, s.b + 4});
+  pslg.points.insert(pslg.points.end(), large.points.begin(), large.points.end());
+  pslg.points.insert(pslg.points.end(), {{0.5, 0x1p-10}, {0x1p41 + 0x1p30, 0x1p40}, {0x1p90, 3}});
+  expect_the_mesh_of_one_process(pslg, {.min_angle_deg = 30}, {}, "squares");
+  expect_the_mesh_of_one_process(pslg, {.min_angle_deg = 25}, {.triangles_per_tile = 20}, "squares in tiles");
+}
+
 /// Adds points at random places in and around the domain.
 Pslg with_loose_points(Pslg pslg, std::size_t count) {
   const auto [low_x, high_x] = std::ranges::minmax(pslg.points, {}, &Point::x);

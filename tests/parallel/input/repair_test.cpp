@@ -201,6 +201,16 @@ TEST(LargestDefaultSnap, is_limited_by_the_coordinates_and_by_the_extent) {
   EXPECT_EQ(largest_default_snap(far), 1e-6) << "a millionth of the side";
 }
 
+TEST(DefaultSnap, does_not_depend_on_a_point_far_outside_of_the_segments) {
+  Pslg stray = square(4);
+  stray.points.push_back({1e20, -1e20});
+  EXPECT_EQ(default_snap(stray), 0x1p-38 * 4);
+  EXPECT_EQ(largest_default_snap(stray), 0x1p-30 * 4);
+  EXPECT_TRUE(repaired(stray, std::nullopt).log.empty());
+  stray.segments.clear();
+  EXPECT_EQ(default_snap(stray), 0x1p-38 * 1e20) << "without segments the domain is the hull of its points";
+}
+
 TEST(Repair, leaves_small_features_and_wider_gaps_open_by_default) {
   Pslg island = square(1);
   add_square(island, 0x1p-33, {0.5, 0.5});

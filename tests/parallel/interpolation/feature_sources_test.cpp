@@ -40,6 +40,15 @@ TEST(FeatureSources, see_a_point_near_a_segment) {
   EXPECT_DOUBLE_EQ(length_at(pslg, 1, {3, 0.5}), 0.5);
 }
 
+TEST(FeatureSources, do_not_see_a_point_far_outside_of_the_segments) {
+  Pslg pslg = testing::square(8);
+  add_polygon(pslg, {{1, 1}, {7, 1}, {7, 1.001}, {1, 2}});
+  Pslg with_point = pslg;
+  with_point.points.push_back({1e14, 0});
+  for (double x = 0; x <= 8; x += 0.25)
+    EXPECT_EQ(length_at(with_point, 3, {x, 1.5}), length_at(pslg, 3, {x, 1.5})) << x;
+}
+
 TEST(FeatureSources, see_the_side_opposite_a_corner) {
   Pslg pslg;
   add_polygon(pslg, {{0, 0}, {2, 0}, {1, 1}});

@@ -10,7 +10,6 @@
 #include "../../../parallel/conversion/domain_triangulation.hpp"
 #include "../../../parallel/conversion/export_mesh.hpp"
 #include "../../../parallel/conversion/import_mesh.hpp"
-#include "../../../parallel/conversion/least_min_edge.hpp"
 #include "../../../parallel/criteria/criteria.hpp"
 #include "../../../parallel/diagnosis/find_gaps.hpp"
 #include "../../../parallel/diagnosis/find_least_size.hpp"
@@ -172,8 +171,7 @@ class Tasks {
 };
 
 void record_refinement(Record& record, DomainTriangulation& domain, const Criteria& criteria) {
-  Options options = record.options();
-  options.min_edge = std::max(options.min_edge, least_min_edge(domain.triangulation.points.span()));
+  const Options options = record.options();
   Tasks tasks;
   Fingerprint snapshots;
   const Watcher watcher = [&](Triangulation&& copy, const Sweep& sweep) -> Status {

@@ -262,9 +262,9 @@ TEST(SplitEdge, keeps_the_minimum_distance) {
 }
 
 TEST(SplitEdge, refuses_a_point_that_rounding_put_beyond_a_neighbour) {
-  // The apex lies an ulp above the edge. The split point lies on it: one of the new triangles would be flat.
+  // The apex lies an ulp above the edge. The split point lies beyond a segment that leads to it.
   const double ulp = 0x1p-52;
-  InsertionScene scene({{1, 1}, {3, 1}, {2, 1 + ulp}, {2, 9}});
+  InsertionScene scene({{1, 1}, {3, 1}, {2.5, 1 + ulp}, {2, 9}}, {{0, 2}});
   const EdgeRef e = samples::find_edge(scene.t(), 0, 1);
   EXPECT_EQ(scene.split({2, 1 + ulp}, e, 0), Outcome::refused);
   EXPECT_EQ(scene.t().points.size(), 4U);
