@@ -240,7 +240,8 @@ class Drawing {
 };
 
 /// Of two segments that meet at less than 60 degrees: how far apart their points are that lie as far from the common
-/// point as the other end of the shorter one. Infinite for other segments.
+/// point as the other end of the shorter one, divided by the shortest edge that the mesher makes there. Infinite for
+/// other segments.
 double gap_between(const Pslg& pslg, const Segment& s, const Segment& t) {
   for (const auto& [from, to_s] : {std::pair(s.a, s.b), std::pair(s.b, s.a)})
     for (const auto& [also_from, to_t] : {std::pair(t.a, t.b), std::pair(t.b, t.a)}) {
@@ -249,7 +250,8 @@ double gap_between(const Pslg& pslg, const Segment& s, const Segment& t) {
       const double of_s = distance(p, q), of_t = distance(p, r);
       const double cross = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
       const double dot = (q.x - p.x) * (r.x - p.x) + (q.y - p.y) * (r.y - p.y);
-      if (dot > 0.5 * of_s * of_t) return std::abs(cross) / std::max(of_s, of_t);
+      if (dot > 0.5 * of_s * of_t)
+        return std::abs(cross) / std::max(of_s, of_t) / std::max({resolution(p), resolution(q), resolution(r)});
     }
   return std::numeric_limits<double>::infinity();
 }
@@ -265,7 +267,7 @@ bool GeneratedCase::has_angles_of_rounding() const {
   double gap = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < pslg.segments.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) gap = std::min(gap, gap_between(pslg, pslg.segments[i], pslg.segments[j]));
-  return gap < share * resolution(pslg);
+  return gap < share;
 }
 
 bool GeneratedCase::may_miss() const {

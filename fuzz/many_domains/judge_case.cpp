@@ -66,9 +66,9 @@ std::string fault_of_mixture(const GeneratedCase& drawn, const Meshed& meshed) {
   const std::optional<std::size_t> alone = triangles_of_parts(drawn);
   if (!alone) return {};
   if (std::getenv("SHOW"))
-    std::printf("SHOW %zu %zu %d %d angle %g grading %g features %g what %s\n", meshed.mesh.triangles.size(), *alone,
-                drawn.doublings, drawn.loose_points, drawn.goal.min_angle_deg, drawn.goal.grading,
-                drawn.goal.feature_edges, drawn.kinds.at(2).c_str());
+    std::fprintf(stderr, "SHOW %zu %zu %d %d angle %g grading %g features %g what %s\n", meshed.mesh.triangles.size(),
+                 *alone, drawn.doublings, drawn.loose_points, drawn.goal.min_angle_deg, drawn.goal.grading,
+                 drawn.goal.feature_edges, drawn.kinds.at(2).c_str());
   return {};
 }
 

@@ -259,7 +259,10 @@ class Mixer {
       const double s = std::ldexp(1, e - 3);
       return std::vector<Point>{{-5 * s, -4 * s}, {6 * s, -5 * s}, {s, 7 * s}};
     };
-    Mixed mixed{with_points(domain_, far(power)), {}, {with_points(domain_, far(least))}};
+    // The only face is the hull.
+    Pslg uncapped = domain_;
+    for (Region& region : uncapped.regions) region.max_area = std::numeric_limits<double>::infinity();
+    Mixed mixed{with_points(uncapped, far(power)), {}, {with_points(uncapped, far(least))}};
     mixed.doublings = power - least;
     mixed.enlarges = true;
     return mixed;
@@ -308,8 +311,7 @@ class Mixer {
 
   /// Scales everything so that the part has its own scale, in one of two cases.
   void enlarge(Mixed& mixed, int power) {
-    if (power >= 0) mixed.enlarges = true;
-    if (!random_.chance(2) || power >= 0) return;
+    if (power >= 0 || !random_.chance(2)) return;
     mixed.pslg = scaled(std::move(mixed.pslg), -power);
     for (Pslg& each : mixed.parts) each = scaled(std::move(each), -power);
     mixed.enlarges = true;
@@ -392,6 +394,7 @@ class Mixer {
     const std::optional<Pslg> moved_part = moved(*part, {far, random_.chance(2) ? far : 0});
     if (!moved_part) return {};
     Mixed mixed{united(*near, *moved_part), {}, {*near, *moved_part}};
+    mixed.enlarges = Bounds(*part).extent > extent_;
     return mixed;
   }
 
