@@ -25,7 +25,7 @@ namespace pardel::fuzz {
   return largest;
 }
 
-/// The highest floor in a domain, if the options set none (Options::min_edge).
-[[nodiscard]] inline double resolution(const Pslg& pslg) { return 0x1p-42 * largest_magnitude(pslg); }
+/// The shortest edge that the mesher makes at a place (Options::min_edge).
+[[nodiscard]] inline double resolution(Point p) { return 0x1p-42 * std::max(std::abs(p.x), std::abs(p.y)); }
 
 }  // namespace pardel::fuzz

@@ -97,22 +97,26 @@ class Judgement {
                std::to_string(options.max_vertices) + " vertices: " + listed;
       if (e.reason == ExemptReason::kept_segment && !options.no_boundary_splits && !options.no_segment_splits)
         return "every segment may be split: " + listed;
-      if ((e.reason == ExemptReason::min_edge || e.reason == ExemptReason::precision) && least_height() > 3 * floor())
+      if ((e.reason == ExemptReason::min_edge || e.reason == ExemptReason::precision) && least_height() > 3)
         return "no triangle is so narrow that lengths are a reason: " + listed;
     }
     return {};
   }
 
-  /// The shortest allowed edge (Options::min_edge).
-  [[nodiscard]] double floor() const {
-    return std::max({expected_.options.min_edge, resolution(expected_.pslg), 0x1p-129});
+  /// The shortest edge that is made around a triangle (Options::min_edge).
+  [[nodiscard]] double floor_at(const Triangle& triangle) const {
+    double floor = std::max(expected_.options.min_edge, 0x1p-129);
+    for (const Index v : triangle.v) floor = std::max(floor, resolution(mesh_.points[v]));
+    return floor;
   }
 
-  /// The least distance from a corner of a triangle to its opposite side, in the whole mesh.
+  /// The least distance from a corner of a triangle to its opposite side, divided by the shortest edge that is made
+  /// there, in the whole mesh.
   [[nodiscard]] double least_height() {
     if (least_height_ == no_bound)
       for (const Triangle& triangle : mesh_.triangles)
-        least_height_ = std::min(least_height_, 2 * area_of(mesh_, triangle) / sides_of(triangle).back());
+        least_height_ =
+            std::min(least_height_, 2 * area_of(mesh_, triangle) / sides_of(triangle).back() / floor_at(triangle));
     return least_height_;
   }
 

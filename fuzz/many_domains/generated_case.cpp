@@ -10,6 +10,7 @@
 #include "../../parallel/mesher.hpp"
 #include "../../parallel/repair.hpp"
 #include "../../properties/domains/generators/goals.hpp"
+#include "../../properties/domains/generators/mixed_scales.hpp"
 #include "../distances.hpp"
 #include "../doubles.hpp"
 #include "../numbered_random.hpp"
@@ -35,7 +36,10 @@ class Drawing {
     const auto [left, right] = std::ranges::minmax(drawn_.pslg.points, {}, &Point::x);
     const auto [low, high] = std::ranges::minmax(drawn_.pslg.points, {}, &Point::y);
     extent_ = std::max(right.x - left.x, high.y - low.y);
-    if (random_.chance(3)) turn();
+    if (random_.chance(3))
+      mix();
+    else if (random_.chance(3))
+      turn();
     goal();
     lengths();
     options();
@@ -45,6 +49,23 @@ class Drawing {
 
  private:
   void note(std::string kind) { drawn_.kinds.push_back(std::move(kind)); }
+
+  /// Mixes scales. The other component, if there is one, is a copy or another domain.
+  void mix() {
+    Pslg other = drawn_.pslg;
+    if (random_.chance(2)) other = to_pslg(generators::any_domain(random_, random_.between(0, 20)));
+    generators::Mixed mixed = mixed_scales(drawn_.pslg, other, random_, random_.chance(6));
+    if (mixed.what.empty()) return;
+    note("mixed_scales");
+    for (const generators::Mixture mixture : mixed.what) note(generators::name(mixture));
+    drawn_.pslg = std::move(mixed.pslg);
+    drawn_.parts = std::move(mixed.parts);
+    drawn_.doublings = mixed.doublings;
+    drawn_.loose_points = mixed.loose_points;
+    drawn_.is_tiny = mixed.is_tiny;
+    enlarged_ = mixed.enlarges;
+    if (enlarged_) drawn_.goal.max_area = no_bound;
+  }
 
   /// Turns the domain around one of its points, and moves it in one of two cases. Its coordinates are then rounded:
   /// lines and circles of points become nearly straight and nearly round. The domain is repaired if this makes it
@@ -93,11 +114,12 @@ class Drawing {
       limit_vertices(600);
     }
     note("angle" + std::to_string(static_cast<int>(goal.min_angle_deg)));
-    if (random_.chance(6)) {
+    if (random_.chance(6) && !enlarged_) {
       goal.max_edge = extent_ / random_.between(2, 12);
       note("edge");
     }
-    if (random_.chance(16)) {
+    // Between far points and a domain, the hull can be a needle, which has too many triangles.
+    if (random_.chance(16) && drawn_.parts.empty()) {
       goal.convex_hull = true;
       note("hull");
     }
@@ -110,7 +132,7 @@ class Drawing {
   /// Lengths that depend on the place. Their meshes can be large, so they get a limit.
   void lengths() {
     Goal& goal = drawn_.goal;
-    if (random_.chance(6)) {
+    if (random_.chance(6) && drawn_.parts.empty()) {
       field();
       note("field");
     }
@@ -213,11 +235,13 @@ class Drawing {
 
   GeneratedCase& drawn_;
   Random& random_;
-  double extent_ = 1;  ///< the longer side of the bounding box
+  double extent_ = 1;      ///< the longer side of the bounding box
+  bool enlarged_ = false;  ///< by a mixture of scales
 };
 
 /// Of two segments that meet at less than 60 degrees: how far apart their points are that lie as far from the common
-/// point as the other end of the shorter one. Infinite for other segments.
+/// point as the other end of the shorter one, divided by the shortest edge that the mesher makes there. Infinite for
+/// other segments.
 double gap_between(const Pslg& pslg, const Segment& s, const Segment& t) {
   for (const auto& [from, to_s] : {std::pair(s.a, s.b), std::pair(s.b, s.a)})
     for (const auto& [also_from, to_t] : {std::pair(t.a, t.b), std::pair(t.b, t.a)}) {
@@ -226,7 +250,8 @@ double gap_between(const Pslg& pslg, const Segment& s, const Segment& t) {
       const double of_s = distance(p, q), of_t = distance(p, r);
       const double cross = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
       const double dot = (q.x - p.x) * (r.x - p.x) + (q.y - p.y) * (r.y - p.y);
-      if (dot > 0.5 * of_s * of_t) return std::abs(cross) / std::max(of_s, of_t);
+      if (dot > 0.5 * of_s * of_t)
+        return std::abs(cross) / std::max(of_s, of_t) / std::max({resolution(p), resolution(q), resolution(r)});
     }
   return std::numeric_limits<double>::infinity();
 }
@@ -242,12 +267,12 @@ bool GeneratedCase::has_angles_of_rounding() const {
   double gap = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < pslg.segments.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) gap = std::min(gap, gap_between(pslg, pslg.segments[i], pslg.segments[j]));
-  return gap < share * resolution(pslg);
+  return gap < share;
 }
 
 bool GeneratedCase::may_miss() const {
-  return has_gaps_of_rounding() || has_angles_of_rounding() || options.min_edge > 0 || options.no_boundary_splits ||
-         options.no_segment_splits || goal.min_angle_deg > 30;
+  return has_gaps_of_rounding() || has_angles_of_rounding() || is_tiny || options.min_edge > 0 ||
+         options.no_boundary_splits || options.no_segment_splits || goal.min_angle_deg > 30;
 }
 
 GeneratedCase generated_case(std::uint64_t seed, std::uint64_t number) {

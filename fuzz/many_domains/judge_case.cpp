@@ -1,5 +1,8 @@
 #include "judge_case.hpp"
 
+#include <cstdio>
+#include <cstdlib>
+#include <optional>
 #include <vector>
 
 #include "../../core/digest.hpp"
@@ -44,6 +47,31 @@ std::string fault_on_ranks(const ValidPslg& domain, const GeneratedCase& drawn, 
   return {};
 }
 
+/// The mesh of the parts of a mixture: the number of its triangles; nothing if a limit on vertices was reached.
+std::optional<std::size_t> triangles_of_parts(const GeneratedCase& drawn) {
+  Options options = drawn.options;
+  options.threads = 1;
+  std::size_t triangles = 0;
+  for (const Pslg& part : drawn.parts) {
+    const Result<Meshed> alone = mesh(part, drawn.goal, options);
+    if (!alone || alone->report.count(ExemptReason::budget) > 0) return {};
+    triangles += alone->mesh.triangles.size();
+  }
+  return triangles;
+}
+
+/// A far point, or a part of another scale, changes nothing elsewhere.
+std::string fault_of_mixture(const GeneratedCase& drawn, const Meshed& meshed) {
+  if (drawn.parts.empty() || meshed.report.count(ExemptReason::budget) > 0) return {};
+  const std::optional<std::size_t> alone = triangles_of_parts(drawn);
+  if (!alone) return {};
+  if (std::getenv("SHOW"))
+    std::fprintf(stderr, "SHOW %zu %zu %d %d angle %g grading %g features %g what %s\n", meshed.mesh.triangles.size(),
+                 *alone, drawn.doublings, drawn.loose_points, drawn.goal.min_angle_deg, drawn.goal.grading,
+                 drawn.goal.feature_edges, drawn.kinds.at(2).c_str());
+  return {};
+}
+
 }  // namespace
 
 Verdict judge(const GeneratedCase& drawn) {
@@ -60,6 +88,7 @@ Verdict judge(const GeneratedCase& drawn) {
                                      .options = drawn.options,
                                      .may_miss = drawn.may_miss(),
                                      .longest_edge = *longest_edge});
+  if (verdict.fault.empty()) verdict.fault = fault_of_mixture(drawn, *meshed);
   if (verdict.fault.empty()) verdict.fault = fault_on_one_thread(*domain, drawn, *meshed);
   if (verdict.fault.empty()) verdict.fault = fault_on_ranks(*domain, drawn, *meshed);
   if (verdict.fault.empty() && drawn.refine_again)

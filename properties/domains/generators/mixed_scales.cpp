@@ -1,0 +1,474 @@
+#include "mixed_scales.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <ostream>
+#include <utility>
+
+#include "../../../core/support/enum_names.hpp"
+
+namespace pardel::generators {
+namespace {
+
+constexpr auto mixture_names = enum_names<Mixture>({
+    {Mixture::far_points_outside, "far_points_outside"},
+    {Mixture::far_points_inside, "far_points_inside"},
+    {Mixture::far_points_of_hull, "far_points_of_hull"},
+    {Mixture::component_beside, "component_beside"},
+    {Mixture::component_in_hole, "component_in_hole"},
+    {Mixture::component_in_face, "component_in_face"},
+    {Mixture::component_far_off, "component_far_off"},
+    {Mixture::tiny_feature, "tiny_feature"},
+});
+
+/// Exponents of the largest coordinates that are drawn, and of the lowest bits of coordinates: those of features that
+/// are far larger than the shortest edge of the mesher (2^-129), and the lowest that is usable.
+constexpr int largest_power = 198, usual_lowest_bit = -110, lowest_usable_bit = -139;
+/// Components and features are smaller by up to this power of two.
+constexpr int deepest = 60;
+
+/// Calls visit(point) with each place of the domain.
+template <class AnyPslg, class Visit>
+void for_each_place(AnyPslg& pslg, const Visit& visit) {
+  for (auto& p : pslg.points) visit(p);
+  for (auto& p : pslg.holes) visit(p);
+  for (auto& region : pslg.regions) visit(region.seed);
+}
+
+/// The exponent of the lowest bit of a number that is not 0.
+int lowest_bit(double x) {
+  int exponent = 0;
+  const auto digits = static_cast<std::uint64_t>(std::ldexp(std::abs(std::frexp(x, &exponent)), 53));
+  return exponent - 53 + std::countr_zero(digits);
+}
+
+/// The lowest of all coordinates.
+int lowest_bit(const Pslg& pslg) {
+  int lowest = std::numeric_limits<int>::max();
+  for_each_place(pslg, [&](Point p) {
+    for (const double x : {p.x, p.y})
+      if (x != 0) lowest = std::min(lowest, lowest_bit(x));
+  });
+  return lowest;
+}
+
+/// The least e for which 2^e is larger than x. Precondition: x > 0.
+int power_above(double x) { return std::ilogb(x) + 1; }
+
+double largest_magnitude(const Pslg& pslg) {
+  double largest = 0;
+  for_each_place(pslg, [&](Point p) { largest = std::max({largest, std::abs(p.x), std::abs(p.y)}); });
+  return largest;
+}
+
+/// The bounding box of the points.
+struct Bounds {
+  explicit Bounds(const Pslg& pslg) {
+    const auto [left, right] = std::ranges::minmax(pslg.points, {}, &Point::x);
+    const auto [below, above] = std::ranges::minmax(pslg.points, {}, &Point::y);
+    low = {left.x, below.y};
+    extent = std::max(right.x - left.x, above.y - below.y);
+  }
+  Point low;
+  double extent;  ///< the longer side
+};
+
+/// x + by, if that is not rounded.
+std::optional<double> exact_sum(double x, double by) {
+  const double sum = x + by;
+  const double of_by = sum - x, of_x = sum - of_by;
+  if (of_by != by || of_x != x) return {};
+  return sum;
+}
+
+/// The domain, moved without rounding; nothing if that is not possible.
+std::optional<Pslg> moved(Pslg pslg, Point by) {
+  bool is_exact = true;
+  for_each_place(pslg, [&](Point& p) {
+    const std::optional<double> x = exact_sum(p.x, by.x), y = exact_sum(p.y, by.y);
+    is_exact = is_exact && x && y;
+    p = {x.value_or(0), y.value_or(0)};
+  });
+  if (!is_exact) return {};
+  return pslg;
+}
+
+/// With its lower left corner at the origin.
+std::optional<Pslg> at_origin(const Pslg& pslg) {
+  const Point low = Bounds(pslg).low;
+  return moved(pslg, {-low.x, -low.y});
+}
+
+/// Multiplied by 2^power.
+Pslg scaled(Pslg pslg, int power) {
+  for_each_place(pslg, [&](Point& p) { p = {std::ldexp(p.x, power), std::ldexp(p.y, power)}; });
+  for (Region& region : pslg.regions) region.max_area = std::ldexp(region.max_area, 2 * power);
+  return pslg;
+}
+
+bool is_usable(const Pslg& pslg) {
+  return largest_magnitude(pslg) <= 0x1p200 && lowest_bit(pslg) >= lowest_usable_bit - 1;
+}
+
+/// Fills up attributes and markers of added points.
+void complete(Pslg& pslg) {
+  pslg.point_attributes.resize(pslg.points.size() * pslg.attributes_per_point);
+  if (!pslg.point_markers.empty()) pslg.point_markers.resize(pslg.points.size());
+}
+
+/// Both domains in one.
+Pslg united(Pslg pslg, const Pslg& added) {
+  const auto first = static_cast<Index>(pslg.points.size());
+  pslg.points.insert(pslg.points.end(), added.points.begin(), added.points.end());
+  for (const Segment& s : added.segments) pslg.segments.push_back({first + s.a, first + s.b, s.marker});
+  pslg.has_segment_markers |= added.has_segment_markers;
+  pslg.holes.insert(pslg.holes.end(), added.holes.begin(), added.holes.end());
+  pslg.regions.insert(pslg.regions.end(), added.regions.begin(), added.regions.end());
+  complete(pslg);
+  return pslg;
+}
+
+Pslg with_points(Pslg pslg, const std::vector<Point>& points) {
+  pslg.points.insert(pslg.points.end(), points.begin(), points.end());
+  complete(pslg);
+  return pslg;
+}
+
+/// The distance of the origin from a segment, rounded.
+double distance_of_origin(Point a, Point b) {
+  const double x = b.x - a.x, y = b.y - a.y;
+  const double at = std::clamp(-(a.x * x + a.y * y) / (x * x + y * y), 0.0, 1.0);
+  return std::hypot(a.x + at * x, a.y + at * y);
+}
+
+/// The distance of the origin from all parts of a domain that are not at the origin, rounded.
+double room_at_origin(const Pslg& pslg) {
+  double room = std::numeric_limits<double>::infinity();
+  for_each_place(pslg, [&](Point p) {
+    if (p != Point{}) room = std::min(room, std::hypot(p.x, p.y));
+  });
+  for (const Segment& s : pslg.segments) room = std::min(room, distance_of_origin(pslg.points[s.a], pslg.points[s.b]));
+  return room;
+}
+
+class Mixer {
+ public:
+  Mixer(const Pslg& domain, const Pslg& other, Random& random, bool allows_tiny)
+      : domain_(domain),
+        other_(other),
+        random_(random),
+        lowest_(allows_tiny ? lowest_usable_bit : usual_lowest_bit),
+        extent_(Bounds(domain).extent) {}
+
+  std::optional<Mixed> mixed(Mixture mixture) {
+    std::optional<Mixed> mixed = attempt(mixture);
+    if (!mixed || !is_usable(mixed->pslg) || !std::ranges::all_of(mixed->parts, is_usable)) return {};
+    mixed->what = {mixture};
+    mixed->is_tiny = lowest_bit(mixed->pslg) < usual_lowest_bit;
+    return mixed;
+  }
+
+  /// Adds far points outside of a domain with segments.
+  void add_far_points(Mixed& mixed) {
+    mixed.pslg = with_points(mixed.pslg, far_points(largest_magnitude(mixed.pslg)));
+    mixed.what.push_back(Mixture::far_points_outside);
+  }
+
+ private:
+  std::optional<Mixed> attempt(Mixture mixture) {
+    const bool has_segments = !domain_.segments.empty(), has_component = !other_.segments.empty() && has_segments;
+    switch (mixture) {
+      case Mixture::far_points_outside:
+        if (has_segments) return Mixed{with_points(domain_, far_points(largest_magnitude(domain_))), {}, {domain_}};
+        return {};
+      case Mixture::far_points_inside:
+        return has_segments ? in_outline() : std::nullopt;
+      case Mixture::far_points_of_hull:
+        return has_segments ? std::nullopt : stretched_hull();
+      case Mixture::component_beside:
+        return has_component ? beside() : std::nullopt;
+      case Mixture::component_in_hole:
+        return has_component ? in_hole() : std::nullopt;
+      case Mixture::component_in_face:
+        return has_component ? in_room(at_origin(other_), true) : std::nullopt;
+      case Mixture::component_far_off:
+        return has_component ? far_off() : std::nullopt;
+      case Mixture::tiny_feature:
+        return in_room(feature(), false);
+    }
+    return {};
+  }
+
+  /// One to three points. At least one coordinate of each is far larger than `magnitude`.
+  std::vector<Point> far_points(double magnitude) {
+    const int least = power_above(magnitude) + 10;
+    std::vector<Point> points;
+    for (int left = random_.between(1, 3); left > 0; --left) {
+      const double far = far_coordinate(least);
+      const Point near = random_.one_of(domain_.points);
+      Point p{far, random_.one_of<double>({0, near.y, far, far_coordinate(least)})};
+      if (random_.chance(2)) std::swap(p.x, p.y);
+      if (std::ranges::find(points, p) == points.end()) points.push_back(p);
+    }
+    return points;
+  }
+  double far_coordinate(int least) {
+    const int most = random_.chance(3) ? largest_power : std::min(least + 40, largest_power);
+    const double x = std::ldexp(random_.between(4, 7), random_.between(std::min(least, most), most) - 2);
+    return random_.chance(2) ? x : -x;
+  }
+
+  /// A huge square around the domain, and points without segments in it.
+  std::optional<Mixed> in_outline() {
+    const int least = power_above(largest_magnitude(domain_)) + 4;
+    const int power = random_.between(least, std::min(largest_power, least + (random_.chance(4) ? 200 : 60)));
+    Mixed mixed{with_square(power), {}, {with_square(least)}};
+    mixed.doublings = power - least;
+    mixed.enlarges = true;
+    std::vector<Point> points;
+    for (int left = random_.between(0, 3); left > 0 && power > least; --left) {
+      // Between a quarter and a half of a square that is at least as large as the least one.
+      const int within = random_.between(least, power);
+      const auto coordinate = [&] {
+        return std::ldexp(random_.between(4, 7) * (random_.chance(2) ? 1 : -1), within - 4);
+      };
+      const double x = coordinate();
+      const Point p{x, random_.chance(3) ? 0 : coordinate()};
+      if (std::ranges::find(points, p) == points.end()) points.push_back(p);
+    }
+    mixed.loose_points = static_cast<int>(points.size());
+    mixed.pslg = with_points(mixed.pslg, points);
+    return mixed;
+  }
+  [[nodiscard]] Pslg with_square(int power) const {
+    const double s = std::ldexp(1, power);
+    Pslg square;
+    square.points = {{-s, -s}, {s, -s}, {s, s}, {-s, s}};
+    square.segments = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
+    return united(domain_, square);
+  }
+
+  /// Far points all around, which become the corners of the hull.
+  std::optional<Mixed> stretched_hull() {
+    const int least = power_above(largest_magnitude(domain_)) + 4;
+    const int power = random_.between(least, std::min(largest_power, least + 60));
+    const auto far = [](int e) {
+      const double s = std::ldexp(1, e - 3);
+      return std::vector<Point>{{-5 * s, -4 * s}, {6 * s, -5 * s}, {s, 7 * s}};
+    };
+    // The only face is the hull.
+    Pslg uncapped = domain_;
+    for (Region& region : uncapped.regions) region.max_area = std::numeric_limits<double>::infinity();
+    Mixed mixed{with_points(uncapped, far(power)), {}, {with_points(uncapped, far(least))}};
+    mixed.doublings = power - least;
+    mixed.enlarges = true;
+    return mixed;
+  }
+
+  /// The largest power of two by which the part, which lies around the origin, fits into a quarter of the room.
+  static int fitting_power(const Pslg& part, double room) {
+    return power_above(room) - 3 - power_above(largest_magnitude(part));
+  }
+  /// A smaller power, down to the deepest one.
+  int power_below(const Pslg& part, int fitting) {
+    const int least = std::max(fitting - deepest, lowest_ - lowest_bit(part));
+    return least >= fitting ? fitting : random_.between(least, fitting);
+  }
+
+  /// The domain, with the origin beside it, and there the other one.
+  std::optional<Mixed> beside() {
+    const Bounds bounds(domain_);
+    const double gap = std::ldexp(1, power_above(extent_) - random_.between(0, 3));
+    const std::optional<Pslg> place = moved(domain_, {gap - bounds.low.x, gap - bounds.low.y}),
+                              part = at_origin(other_);
+    if (!place || !part) return {};
+    return with_component(*place, *part, gap);
+  }
+
+  /// The other one in a hole. The seed of the hole moves aside.
+  std::optional<Mixed> in_hole() {
+    if (domain_.holes.empty()) return {};
+    const std::size_t hole = random_.below(domain_.holes.size());
+    const Point seed = domain_.holes[hole];
+    std::optional<Pslg> place = moved(domain_, {-seed.x, -seed.y});
+    const std::optional<Pslg> part = at_origin(other_);
+    if (!place || !part) return {};
+    const double room = std::ldexp(1, std::ilogb(room_at_origin(*place)));
+    place->holes[hole] = {room / 2, 0};
+    return with_component(*place, *part, room / 2);
+  }
+
+  /// The part, scaled, at the origin, where there is room. Nothing of the domain reaches into its faces.
+  std::optional<Mixed> with_component(const Pslg& place, const Pslg& part, double room) {
+    const int power = power_below(part, fitting_power(part, room));
+    Mixed mixed{united(place, scaled(part, power)), {}, {place, scaled(part, power)}};
+    enlarge(mixed, power);
+    return mixed;
+  }
+
+  /// Scales everything so that the part has its own scale, in one of two cases.
+  void enlarge(Mixed& mixed, int power) {
+    if (power >= 0 || !random_.chance(2)) return;
+    mixed.pslg = scaled(std::move(mixed.pslg), -power);
+    for (Pslg& each : mixed.parts) each = scaled(std::move(each), -power);
+    mixed.enlarges = true;
+  }
+
+  /// The part, scaled, at a place of the domain around which there is room; this place becomes the origin.
+  std::optional<Mixed> in_room(const std::optional<Pslg>& part, bool may_enlarge) {
+    if (!part) return {};
+    const std::optional<Point> where = place_with_room();
+    if (!where) return {};
+    const std::optional<Pslg> place = moved(domain_, {-where->x, -where->y});
+    if (!place) return {};
+    const int fitting = fitting_power(*part, room_at_origin(*place));
+    const int power = power_below(*part, fitting);
+    Mixed mixed{united(*place, scaled(*part, power)), {}, {united(*place, scaled(*part, fitting))}};
+    mixed.doublings = fitting - power;
+    if (may_enlarge)
+      enlarge(mixed, power);
+    else
+      move_back(mixed, *where);
+    return mixed;
+  }
+
+  /// Moves the domain back to its own place, in one of two cases, if coordinates still resolve the feature.
+  void move_back(Mixed& mixed, Point to) {
+    if (!random_.chance(2)) return;
+    std::optional<Pslg> back = moved(mixed.pslg, to);
+    if (!back || lowest_bit(mixed.pslg) < power_above(largest_magnitude(*back)) - 34) return;
+    mixed.pslg = std::move(*back);
+  }
+
+  /// The roomiest of some places; nothing if there is little room around each of them.
+  std::optional<Point> place_with_room() {
+    const double step = std::ldexp(1, power_above(extent_) - 4);
+    double most = step / 8;
+    std::optional<Point> best;
+    for (int i = 0; i < 24; ++i) {
+      const Point from = random_.one_of(domain_.points);
+      const Point p{from.x + random_.between(-8, 8) * step, from.y + random_.between(-8, 8) * step};
+      const std::optional<Pslg> around = moved(domain_, {-p.x, -p.y});
+      if (!around || std::ranges::find(around->points, Point{}) != around->points.end()) continue;
+      const double room = room_at_origin(*around);
+      if (!(room > most)) continue;
+      most = room;
+      best = p;
+    }
+    return best;
+  }
+
+  /// Around the origin, in small whole numbers.
+  Pslg feature() {
+    Pslg part;
+    switch (domain_.segments.empty() ? 0 : random_.below(4)) {
+      case 0:
+        part.points = {{0, 0}, {1, 0}};
+        break;
+      case 1:
+        part.points = {{-3, 1}, {4, 2}};
+        part.segments = {{0, 1}};
+        break;
+      case 2:
+        part.points = {{0, 0}, {5, 1}, {2, 4}};
+        part.segments = {{0, 1}, {1, 2}, {2, 0}};
+        break;
+      default:
+        part.points = {{-1, -1}, {2, -1}, {2, 1}, {-1, 1}};
+        part.segments = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
+    }
+    return part;
+  }
+
+  /// Both domains, one of them near the origin, the other one as far off as its features allow.
+  std::optional<Mixed> far_off() {
+    const std::optional<Pslg> near = at_origin(domain_), part = at_origin(other_);
+    if (!near || !part) return {};
+    const int above = power_above(std::max(largest_magnitude(*near), largest_magnitude(*part)));
+    const int most = std::min(lowest_bit(*part) + 34, largest_power);
+    if (most < above + 3) return {};
+    const double far = std::ldexp(1, random_.between(above + 3, most));
+    const std::optional<Pslg> moved_part = moved(*part, {far, random_.chance(2) ? far : 0});
+    if (!moved_part) return {};
+    Mixed mixed{united(*near, *moved_part), {}, {*near, *moved_part}};
+    mixed.enlarges = Bounds(*part).extent > extent_;
+    return mixed;
+  }
+
+  const Pslg& domain_;
+  const Pslg& other_;
+  Random& random_;
+  int lowest_;
+  double extent_;
+};
+
+Mixed unchanged(const Pslg& domain) { return {domain, {}, {domain}}; }
+
+}  // namespace
+
+const std::vector<Mixture>& all_mixtures() {
+  static const std::vector<Mixture> mixtures = [] {
+    std::vector<Mixture> all;
+    for (std::size_t i = 0; i < mixture_names.size(); ++i) all.push_back(static_cast<Mixture>(i));
+    return all;
+  }();
+  return mixtures;
+}
+
+const char* name(Mixture mixture) { return mixture_names[mixture]; }
+
+Mixed mixed_scales(Mixture mixture, const Pslg& domain, const Pslg& other, Random& random, bool allows_tiny) {
+  return Mixer(domain, other, random, allows_tiny).mixed(mixture).value_or(unchanged(domain));
+}
+
+Mixed mixed_scales(const Pslg& domain, const Pslg& other, Random& random, bool allows_tiny) {
+  Mixer mixer(domain, other, random, allows_tiny);
+  std::vector<Mixture> order = all_mixtures();
+  random.shuffle(order);
+  for (const Mixture mixture : order)
+    if (std::optional<Mixed> mixed = mixer.mixed(mixture)) {
+      if (mixture != Mixture::far_points_outside && !domain.segments.empty() && random.chance(4))
+        mixer.add_far_points(*mixed);
+      return *mixed;
+    }
+  return unchanged(domain);
+}
+
+std::ostream& operator<<(std::ostream& out, const MixedCase& c) {
+  out << c.plain;
+  if (c.mixing == 0) return out;
+  out << "; mixed from seed " << c.mixing << ':';
+  for (const Mixture mixture : mixed_of(c).what) out << ' ' << name(mixture);
+  return out;
+}
+
+MixedCase any_mixed_case(Random& random, int size, int one_in) {
+  MixedCase c{any_case(random, size)};
+  if (random.chance(one_in)) c.mixing = random.next() | 1U;
+  return c;
+}
+
+Mixed mixed_of(const MixedCase& c) {
+  const Pslg domain = to_pslg(c.plain.domain);
+  if (c.mixing == 0) return unchanged(domain);
+  Random random(c.mixing);
+  return mixed_scales(domain, domain, random);
+}
+
+Goal to_goal(const MixedCase& c, const Mixed& mixed) {
+  Goal goal = to_goal(c.plain.goal, c.plain.domain);
+  if (mixed.enlarges) goal.max_area = std::numeric_limits<double>::infinity();
+  return goal;
+}
+
+std::vector<MixedCase> shrinks(const MixedCase& c) {
+  std::vector<MixedCase> simpler;
+  if (c.mixing != 0) simpler.push_back({c.plain});
+  for (Case& plain : shrinks(c.plain)) simpler.push_back({std::move(plain), c.mixing});
+  return simpler;
+}
+
+}  // namespace pardel::generators
