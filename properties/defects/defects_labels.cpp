@@ -40,8 +40,8 @@ bool free_of_others(const Pslg& pslg, Index a, Index b) {
 /// True if an edge of the mesh crosses ab and both its ends are further from the line ab than rounding explains.
 bool some_edge_crosses(const Mesh& mesh, Index a, Index b) {
   const auto is_clear = [&](Index v) {
-    return checker::exactly::line_distance_exceeds(mesh.points[v], mesh.points[a], mesh.points[b],
-                                                   0x1p-20 * edit::length(mesh, a, b));
+    const double far = 0x1p-20 * edit::length(mesh, a, b);
+    return checker::exactly::line_offset_exceeds(mesh.points[v], mesh.points[a], mesh.points[b], {far, far});
   };
   return at_some_side(mesh, 0, [&](Side s) {
     const Index p = edit::tail(mesh, s), q = edit::head(mesh, s);
