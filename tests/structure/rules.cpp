@@ -28,6 +28,7 @@ const std::vector<Layer>& layers() {
       {"properties/checker", {"core"}},
       {"properties/domains", {"core"}},
       {"properties/defects", {"core", "properties/checker", "properties/domains"}},
+      {"properties/wrong_meshes", {"core", "properties/checker", "properties/domains", "properties/defects"}},
       {"properties/theorems",
        {"core", "parallel", "ref", "properties/checker", "properties/domains", "properties/defects"}},
       {"properties/mutants", {"core", "properties/checker", "properties/defects", "properties/theorems"}},
@@ -36,13 +37,14 @@ const std::vector<Layer>& layers() {
       {"mpi", {"core", "parallel", "properties/checker", "cli"}},
       {"fuzz",
        {"core", "parallel", "ref", "properties/checker", "properties/domains", "properties/defects",
-        "properties/theorems", "cli"}},
+        "properties/wrong_meshes", "properties/theorems", "cli"}},
       {"bench", {"core", "parallel", "properties/checker", "properties/domains", "cli", "mpi"}},
       {"examples", {"core", "parallel", "properties/checker", "properties/domains", "mpi"}},
       {"scripts", {}},
       {"tests",
        {"core", "parallel", "ref", "properties/checker", "properties/domains", "properties/defects",
-        "properties/theorems", "properties/mutants", "cli", "cli/harness", "fuzz", "mpi", "bench"}},
+        "properties/wrong_meshes", "properties/theorems", "properties/mutants", "cli", "cli/harness", "fuzz", "mpi",
+        "bench"}},
   };
   return table;
 }
@@ -118,6 +120,8 @@ const std::vector<Exception>& exceptions() {
       {"fuzz/many_signs", "properties/checker/arithmetic", "compares the filters of the checker with exact signs"},
       {"fuzz/with_schedule.hpp", "parallel", "runs the tasks of the refinement in a given order"},
       {"properties/defects", "properties/checker/arithmetic", "a defect is made, and proved, in exact arithmetic"},
+      {"properties/wrong_meshes/drawing.cpp", "properties/checker/arithmetic/exact.hpp",
+       "triangles of a wrong mesh are Delaunay, except where they are meant not to be"},
       {"bench/predicates_bench.cpp", "parallel/arithmetic/predicates.hpp", "measures the predicates alone"},
       {"bench/model", "parallel", "replays the run of one process as that of many ranks"},
       {"bench/workloads", "parallel/arithmetic", "measures the predicates alone, and each stage of them"},
