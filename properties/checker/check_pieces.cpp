@@ -118,6 +118,9 @@ class PieceCheck {
     Border border(read_, certificate_.vertices, ranks_);
     NumberSet special = special_numbers(read_, border, ranks_);
     Judgement judgement = judge_skeleton(special, labels);
+    // Where no edges are listed, a vertex of a chain is special only because the chain passes it.
+    for (const NumberedChainEdge& edge : judgement.chains)
+      for (const std::uint64_t end : {edge.from, edge.to}) special.insert(end);
     EdgesOfChains edges(judgement);
     const Whole whole{std::move(border), std::move(special), std::move(judgement), std::move(edges)};
 

@@ -359,6 +359,28 @@ TEST(SmallAngle, across_one_shell_makes_a_triangle_seditious) {
   EXPECT_EQ(found->apex, 0U);
 }
 
+TEST(SmallAngle, needs_a_cause_for_each_angle_below_the_bound) {
+  // The segments meet at 14 degrees. The angle at vertex 1 is 16 degrees, and nothing lies behind the edge from 0 to 2.
+  Corner corner({0, 0}, {4, 0}, {2.1, 0.525}, {9, 9});
+  EXPECT_FALSE(OneTriangle(corner.t, {0, 1, 2}, {false, true, true}).exemption(corner.segments));
+  // Here it is 37 degrees.
+  Corner wide({0, 0}, {4, 0}, {3.3, 0.525}, {9, 9});
+  EXPECT_TRUE(OneTriangle(wide.t, {0, 1, 2}, {false, true, true}).exemption(wide.segments));
+}
+
+TEST(SmallAngle, across_a_shell_is_not_smaller_than_the_next_shell_explains) {
+  for (const double length : {4.0, 4.5, 40.0}) {
+    Corner corner({0, 0}, {4, 0}, {4, 1}, {9, 9});
+    const VertexId u = corner.split(0, 0, 1), v = corner.split(1, 0, 2);
+    const auto far = static_cast<VertexId>(corner.t.points.size());
+    corner.t.points.push_back({length, 0});
+    corner.t.origin.push_back(interior_vertex);
+    EXPECT_EQ(OneTriangle(corner.t, {far, v, u}, {false, false, false}).exemption(corner.segments).has_value(),
+              length == 4)
+        << length;
+  }
+}
+
 TEST(SmallAngle, across_the_shell_of_an_end_makes_a_triangle_seditious) {
   Corner corner({0, 0}, {5, 0}, {3.1, 3.1e-6}, {9, 9});
   const VertexId beside = corner.split(0, 0, 1);

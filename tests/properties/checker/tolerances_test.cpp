@@ -227,7 +227,7 @@ PARDEL_FACT(
     stray = with_stray;
     for (const bool listed : {true, false}) {
       expect(2 * unit, listed, 0, 0);
-      expect(4 * unit, listed, 1, 0);
+      expect(3 * unit, listed, 1, 0);
       expect(0x1p-18 - beyond, listed, 1, 0);
     }
     expect(0x1p-17, true, 1, 0);

@@ -9,6 +9,7 @@
 #include "../../../parallel/mesher.hpp"
 #include "../../../properties/domains/domains.hpp"
 #include "../../../properties/theorems/framework/property.hpp"
+#include "../../../properties/wrong_meshes/wrong_mesh.hpp"
 #include "changes.hpp"
 
 namespace pardel {
@@ -178,6 +179,33 @@ void reports<ViolationKind::large_circumradius>(properties::Facts& facts) {
   }
 }
 
+/// Chains that are wrong within rounding need a domain of their own, so no defect has these kinds.
+void reports_in_wrong_meshes(ViolationKind kind, properties::Facts& facts) {
+  for (const wrong_meshes::Kind& wrong : wrong_meshes::all()) {
+    if (wrong.is_right() || wrong.expected.front() != kind) continue;
+    std::uint64_t reported = 0;
+    for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+      const auto made = wrong_meshes::make(wrong, seed);
+      if (made && count(check(made->pslg, made->mesh, made->goal, made->options), kind) > 0) ++reported;
+    }
+    EXPECT_GT(reported, 0U) << wrong.name;
+    facts.cases += reported;
+  }
+  EXPECT_GT(facts.cases, 0U);
+}
+template <>
+void reports<ViolationKind::chains_meet>(properties::Facts& facts) {
+  reports_in_wrong_meshes(ViolationKind::chains_meet, facts);
+}
+template <>
+void reports<ViolationKind::wrong_chain_order>(properties::Facts& facts) {
+  reports_in_wrong_meshes(ViolationKind::wrong_chain_order, facts);
+}
+template <>
+void reports<ViolationKind::wrong_face>(properties::Facts& facts) {
+  reports_in_wrong_meshes(ViolationKind::wrong_face, facts);
+}
+
 template <ViolationKind kind>
 properties::Statement statement_about() {
   static const std::string text = "every seeded defect that makes a mesh wrong by " + std::string(name(kind)) +
@@ -196,6 +224,22 @@ properties::Statement statement_about<ViolationKind::large_circumradius>() {
 }
 
 /// One property per kind of violation, Checker.reports_KIND.
+template <>
+properties::Statement statement_about<ViolationKind::chains_meet>() {
+  return {"chains that meet where their segments do not are reported as chains_meet",
+          "properties/wrong_meshes/pinched_chains.cpp", "wrong meshes at all scales"};
+}
+template <>
+properties::Statement statement_about<ViolationKind::wrong_chain_order>() {
+  return {"chains in another order around an input point than their segments are reported as wrong_chain_order",
+          "properties/wrong_meshes/orders.cpp", "wrong meshes at all scales"};
+}
+template <>
+properties::Statement statement_about<ViolationKind::wrong_face>() {
+  return {"a part of the domain on another side of a chain than of its segment is reported as wrong_face",
+          "properties/wrong_meshes/changed_sides.cpp", "wrong meshes at all scales"};
+}
+
 template <ViolationKind kind>
 class Verdict : public testing::Test {
   void TestBody() override { properties::check_fact(statement_about<kind>(), &reports<kind>); }
