@@ -132,18 +132,19 @@ TEST_F(GmshMesh, as_text_moves_an_input_vertex_of_17_digits_and_as_binary_keeps_
   EXPECT_EQ(judged(), Kinds{});
 }
 
+// 16 digits of numbers just above 10^9 are 8 times as coarse as doubles, more than two units allow.
 TEST_F(GmshMesh, as_text_rounds_vertices_off_slanted_segments_and_as_binary_does_not) {
   Plate plate;
-  plate.corners = {{{"0", "0"},
-                    {"1.7", "0.3"},
-                    {"1.9", "1.6"},
-                    {"0.1", "1.3"},
-                    {"0.7", "0.6"},
-                    {"1.2", "0.7"},
-                    {"1.3", "1.2"},
-                    {"0.6", "1.1"}}};
-  plate.in_hole = {"1", "0.9"};
-  plate.size_outside = 0.2;
+  plate.corners = {{{"1000000000", "1000000000"},
+                    {"1017000000", "1003000000"},
+                    {"1019000000", "1016000000"},
+                    {"1001000000", "1013000000"},
+                    {"1007000000", "1006000000"},
+                    {"1012000000", "1007000000"},
+                    {"1013000000", "1012000000"},
+                    {"1006000000", "1011000000"}}};
+  plate.in_hole = {"1010000000", "1009000000"};
+  plate.size_outside = plate.size_at_hole = 2e6;
   mesh(plate);
   EXPECT_EQ(judged(), Kinds{"chain_off_segment"});
   mesh(plate, {"-bin"});
