@@ -119,10 +119,10 @@ PARDEL_FACT(
     {.statement = "a triangle outside the corner of two segments is not justified by their small angle if none of its "
                   "edges joins points of both segments at the same distance from the corner",
      .source = "properties/checker/stages/justified.cpp",
-     .families = "a wedge of 10 degrees, its legs cut at 1 and at 0.9"}) {
+     .families = "a wedge of 10 degrees, its legs cut at 1 and at 1.1"}) {
   Case c = wedge_with_shell();
-  const double shorter = 0.9;
-  c.mesh.points[4] = {c.mesh.points[4].x * shorter, c.mesh.points[4].y * shorter};
+  const double farther = 1.1;  // the angle across is larger than on one shell, so it is large enough
+  c.mesh.points[4] = {c.mesh.points[4].x * farther, c.mesh.points[4].y * farther};
   Goal goal;
   goal.min_angle_deg = 15;
   EXPECT_TRUE(reports(check(c, goal), Kind::small_angle));
