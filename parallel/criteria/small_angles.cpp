@@ -192,7 +192,7 @@ double tangent_across_shell(Point apex, Point first, Point second) {
 /// lie around the apex. Precondition: the angle is less than 90 degrees.
 bool has_tangent(Point o, Point u, Point v, Point apex, double tangent) {
   constexpr double relative = 1e-9;
-  Box box = Box::around(o, apex);
+  Box box = Box::around(apex);
   box.cover(Box::around(u, v));
   const double rounding = 0x1p-51 * box.largest_magnitude() * (distance(o, u) + distance(o, v));
   return std::abs(accurate_cross(o, u, v)) + rounding >= (1 - relative) * tangent * dot(o, u, v);

@@ -39,7 +39,7 @@ inline constexpr double narrow_cosine = 0.9998477;
 
 /// An angle across a shell is justified if its tangent is at least sin θ / (2 - cos θ), where θ is the angle of the
 /// segments (Miller, Pav, Walkington 2003), up to this relative error and to an error of across_units units in each
-/// coordinate of the two vertices on the shell. The unit is that of the shell and the corner together.
+/// coordinate of the two vertices on the shell. The unit is that of the shell, however far the corner is.
 inline constexpr double across_tolerance = 1e-8;
 inline constexpr double across_units = 8;
 

@@ -71,7 +71,7 @@ class Justification {
       if (exactly::distances_differ(centre, at_p, at_q, shell_tolerance, shell_units * unit_at(centre, at_p, at_q)))
         continue;
       const double tangent = (1 - across_tolerance) * exactly::tangent_across_shell(centre, far_s, far_r);
-      const double error = across_units * unit_at(centre, at_p, at_q, corner(k));
+      const double error = across_units * unit_at(centre, at_p, at_q);
       if (exactly::tangent_is_below(corner(k), at_p, at_q, tangent, error)) continue;
       return justified(apex, angle_deg(centre, far_s, far_r));
     }

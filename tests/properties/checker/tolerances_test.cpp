@@ -111,7 +111,7 @@ PARDEL_FACT(
   // The cosine is 3/5 and the sine 4/5, so the tangent is 4/7. The end at distance x sees the edge from (5, 0) to (3,
   // 4) with the tangent 4 / (x - 3).
   const auto is_allowed = [](double x) {
-    const Gmpq cross = Gmpq(4) * (Gmpq(x) - 5), error = Gmpq(8) * Gmpq(0x1p-49) * ((Gmpq(x) - 5) + (Gmpq(x) - 3) + 4);
+    const Gmpq cross = Gmpq(4) * (Gmpq(x) - 5), error = Gmpq(8) * Gmpq(0x1p-50) * ((Gmpq(x) - 5) + (Gmpq(x) - 3) + 4);
     const Gmpq tangent = Gmpq((1 - across_tolerance) * (0.8 / (2 - 0.6)));
     return cross + error >= tangent * (Gmpq(x) - 5) * (Gmpq(x) - 3);
   };
