@@ -60,8 +60,6 @@ class Drawing {
     for (const generators::Mixture mixture : mixed.what) note(generators::name(mixture));
     drawn_.pslg = std::move(mixed.pslg);
     drawn_.parts = std::move(mixed.parts);
-    drawn_.doublings = mixed.doublings;
-    drawn_.loose_points = mixed.loose_points;
     drawn_.is_tiny = mixed.is_tiny;
     enlarged_ = mixed.enlarges;
     if (enlarged_) drawn_.goal.max_area = no_bound;

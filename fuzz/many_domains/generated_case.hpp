@@ -22,8 +22,7 @@ struct GeneratedCase {
   bool refine_again = false;  ///< the mesh is also refined, with other bounds on areas
   /// If scales are mixed: the domains of which the domain is made, see generators::Mixed. Empty if they are not.
   std::vector<Pslg> parts;
-  int doublings = 0, loose_points = 0;  ///< see generators::Mixed
-  bool is_tiny = false;                 ///< edges of the least possible length may be needed
+  bool is_tiny = false;  ///< edges of the least possible length may be needed
   /// What was drawn, for counts of cases of a kind: the family first, then "angle28", "field", "threads3" and so on.
   std::vector<std::string> kinds;
 

@@ -35,7 +35,7 @@ namespace pardel {
 /// (tolerances.hpp), at the same centroids. Some rules allow for the rounding of vertices by a tolerance
 /// (tolerances.hpp), which is compared exactly, too:
 /// - a vertex on a segment may lie off the segment by chain_units;
-/// - a hole's seed that lies within that distance of a segment on which the triangle around it has an edge is not
+/// - a hole's seed that lies within that distance of a segment on which the triangle around it has a corner is not
 ///   reported;
 /// - two vertices lie on one shell around a small input angle within shell_tolerance and shell_units, and an angle
 ///   across a shell has its least value within across_tolerance and across_units.

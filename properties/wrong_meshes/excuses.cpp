@@ -184,6 +184,24 @@ std::optional<WrongMesh> sliver_at_a_hole(std::uint64_t seed) {
   return drawing.draw();
 }
 
+/// A square of six units. The first vertices of the chains at a corner of 90 degrees lie two units off, so that their
+/// edges make 11 degrees there. All other angles meet the bound.
+std::optional<WrongMesh> between_bent_chains(std::uint64_t seed) {
+  Random random(seed);
+  const double far = 0x1p52 + 0x1p40;  // one unit is 1 in the lattice
+  Drawing drawing(Place{.exponent = random.between(-120, 100), .right = far, .up = far, .swapped = random.chance(2)});
+  drawing.of.goal.min_angle_deg = 20.7;
+  const Index side = drawing.ring({drawing.point(0, 0), drawing.point(6, 0), drawing.point(6, 6), drawing.point(0, 6)});
+  drawing.on(side, drawing.place.at(3, 2));
+  drawing.on(side + 1, drawing.place.at(4, 2));
+  drawing.on(side + 1, drawing.place.at(4, 4));
+  drawing.on(side + 1, drawing.place.at(5, 5));
+  drawing.on(side + 2, drawing.place.at(3, 6));
+  drawing.on(side + 3, drawing.place.at(2, 3));
+  drawing.fault({drawing.place.at(6, 0)}, 0.5);
+  return drawing.draw();
+}
+
 std::optional<WrongMesh> least_across(std::uint64_t seed) {
   Random random(seed);
   return draw_wedge(one_of(acute, random), 2, 2.5, some_place(random, 20));
@@ -215,6 +233,7 @@ const Kind kinds[] = {
     {"excuses", "a small angle lies beside a segment", small, sliver<false>},
     {"excuses", "segments outside the domain meet at a small angle", small, sliver<true>},
     {"excuses", "segments in a hole meet at a small angle", small, sliver_at_a_hole},
+    {"excuses", "two chains make a small angle at a corner of 90 degrees", small, between_bent_chains},
     {"right", "an angle across a shell is as small as it may be", {}, least_across},
     {"right", "an angle between two segments is small", {}, nestled},
 };

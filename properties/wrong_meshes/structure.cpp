@@ -1,6 +1,7 @@
 // Gaps and overlaps of one unit, tiny triangles, edges that are not Delaunay by one unit.
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 
 #include "../defects/edit.hpp"
 #include "families.hpp"
@@ -131,9 +132,9 @@ std::optional<WrongMesh> wrong_diagonal(std::uint64_t seed) {
   return std::nullopt;
 }
 
-/// The upper half of a square is a hole. Its seed lies a number of units above the middle. `bent`: the chain there lies
-/// two units higher.
-std::optional<WrongMesh> seed_near_the_edge(Random& random, int units, bool bent) {
+/// The upper half of a square is a hole. Its seed lies a number of units above the middle. The vertices of the chain
+/// at `bent` lie two units higher; if there are some, the hole has no triangles.
+std::optional<WrongMesh> seed_near_the_edge(Random& random, int units, std::initializer_list<double> bent) {
   Drawing drawing(some_place(random));
   const Place& place = drawing.place;
   const Index a = drawing.point(0, 8), b = drawing.point(16, 8);
@@ -141,23 +142,20 @@ std::optional<WrongMesh> seed_near_the_edge(Random& random, int units, bool bent
                                   a, drawing.point(0, 0),   drawing.point(16, 0)};
   for (std::size_t i = 0; i < 6; ++i) {
     const Index from = around[i], to = around[(i + 1) % 6];
-    bent&& i < 3 ? drawing.absent_segment(from, to) : drawing.segment(from, to);
+    bent.size() > 0 && i < 3 ? drawing.absent_segment(from, to) : drawing.segment(from, to);
   }
   const Index chain = drawing.segment(a, b);
   const Point middle = place.at(8, 8);
   drawing.of.pslg.holes.push_back(moved(place, middle, 0, 1, units));
   drawing.fault({middle}, 16);
-  if (bent) {
-    drawing.gap(place.at(8, 12));
-    drawing.on(chain, moved(place, place.at(7, 8), 0, 1, 2));
-    drawing.on(chain, moved(place, place.at(9, 8), 0, 1, 2));
-  }
+  if (bent.size() > 0) drawing.gap(place.at(8, 12));
+  for (const double x : bent) drawing.on(chain, moved(place, place.at(x, 8), 0, 1, 2));
   return drawing.draw();
 }
 
 std::optional<WrongMesh> hole_covered(std::uint64_t seed) {
   Random random(seed);
-  return seed_near_the_edge(random, random.between(1, 16), false);
+  return seed_near_the_edge(random, random.between(1, 16), {});
 }
 
 /// The upper half has the triangles, and the lower one, with the domain, has none.
@@ -176,7 +174,13 @@ std::optional<WrongMesh> hole_on_the_wrong_side(std::uint64_t seed) {
 
 std::optional<WrongMesh> seed_within_rounding(std::uint64_t seed) {
   Random random(seed);
-  return seed_near_the_edge(random, 1, true);
+  return seed_near_the_edge(random, 1, {7, 9});
+}
+
+/// The triangle around the seed has only a corner on the chain.
+std::optional<WrongMesh> seed_below_a_vertex(std::uint64_t seed) {
+  Random random(seed);
+  return seed_near_the_edge(random, 1, {8});
 }
 
 /// Cocircular points have two Delaunay diagonals.
@@ -204,6 +208,7 @@ const Kind kinds[] = {
     {"structure", "a hole is covered, and its seed is near an edge", {covered_exterior}, hole_covered},
     {"structure", "the wrong side of an edge is covered", {covered_exterior, uncovered_domain}, hole_on_the_wrong_side},
     {"right", "the seed of a hole lies in a triangle within rounding", {}, seed_within_rounding},
+    {"right", "the seed of a hole lies below a vertex of the chain within rounding", {}, seed_below_a_vertex},
     {"right", "cocircular points have either diagonal", {}, either_diagonal},
 };
 

@@ -8,14 +8,20 @@
 namespace pardel::checker {
 namespace {
 
-/// True if an edge of triangle t belongs to a chain, and p is so near to its segment that the rounding of the chain may
-/// have moved the edge across p.
+/// True if a chain passes a corner of triangle t, and p is so near to its segment that the rounding of the chain may
+/// have moved the chain across p.
 bool within_rounding(Point p, Index t, const Subject& subject, const Domain& domain, const Chains& chains) {
+  const auto& corners = subject.mesh.triangles[t].v;
+  const auto is_near = [&](Index segment) {
+    const Segment& ends = domain.segments()[segment];
+    return !exactly::line_offset_exceeds(p, subject.pslg.points[ends.a], subject.pslg.points[ends.b],
+                                         domain.tolerance(segment));
+  };
+  // In a piece, the edges of the chain at a corner may belong to another piece.
+  for (const Index v : corners)
+    if (chains.segment_of[v] != no_index && is_near(chains.segment_of[v])) return true;
   return std::ranges::any_of(chains.edges, [&](const ChainEdge& edge) {
-    if (edge.left.triangle != t && edge.right.triangle != t) return false;
-    const Segment& segment = domain.segments()[edge.segment];
-    return !exactly::line_offset_exceeds(p, subject.pslg.points[segment.a], subject.pslg.points[segment.b],
-                                         domain.tolerance(edge.segment));
+    return std::ranges::count(corners, edge.from) + std::ranges::count(corners, edge.to) > 0 && is_near(edge.segment);
   });
 }
 

@@ -32,12 +32,35 @@ class Justification {
   [[nodiscard]] Point corner(int k) const { return subject_.corner(triangle_, k); }
 
  private:
-  /// The cause if corner k is an input vertex and both edges at this corner are pieces of segments.
+  /// The cause if corner k is an input vertex, both edges at this corner are pieces of segments, and these meet at less
+  /// than 60 degrees. The least angle is that across a shell, for the rounding of the other two corners.
   [[nodiscard]] std::optional<Justified> nestled(int k) const {
     const Index apex = inputs_.input(triangle_.v[k]);
     const bool between_segments = chains_.has(t_, next(k)) && chains_.has(t_, previous(k));
     if (apex == no_index || !between_segments) return std::nullopt;
-    return justified(apex, angle_at(k));
+    const Index p = triangle_.v[next(k)], q = triangle_.v[previous(k)];
+    const Index of_p = segment_between(apex, p), of_q = segment_between(apex, q);
+    if (of_p == no_index || of_q == no_index) return std::nullopt;
+    const Point centre = corner(k), at_p = subject_.mesh.points[p], at_q = subject_.mesh.points[q];
+    const Point far_p = far_end(of_p, apex), far_q = far_end(of_q, apex);
+    if (!exactly::cosine_exceeds(centre, far_p, far_q, shell_cosine)) return std::nullopt;
+    const double tangent = (1 - across_tolerance) * exactly::tangent_across_shell(centre, far_p, far_q);
+    if (exactly::tangent_is_below(centre, at_p, at_q, tangent, across_units * unit_at(centre, at_p, at_q)))
+      return std::nullopt;
+    return justified(apex, angle_deg(centre, far_p, far_q));
+  }
+
+  [[nodiscard]] Point far_end(Index segment, Index apex) const {
+    return subject_.pslg.points[other_end(domain_.segments()[segment], apex)];
+  }
+
+  /// The segment at the input point `apex` whose chain begins with the edge to this vertex, which belongs to a chain.
+  [[nodiscard]] Index segment_between(Index apex, Index vertex) const {
+    if (chains_.segment_of[vertex] != no_index) return chains_.segment_of[vertex];
+    const Index input = inputs_.input(vertex);
+    for (const Index s : domain_.faces().incident(apex))
+      if (other_end(domain_.segments()[s], apex) == input) return s;
+    return no_index;
   }
 
   /// The cause if the edge opposite corner k joins two vertices of one shell, and the angle is large enough.
