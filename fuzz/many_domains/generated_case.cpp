@@ -59,6 +59,7 @@ class Drawing {
     note("mixed_scales");
     for (const generators::Mixture mixture : mixed.what) note(generators::name(mixture));
     drawn_.pslg = std::move(mixed.pslg);
+    drawn_.mixtures = std::move(mixed.what);
     drawn_.parts = std::move(mixed.parts);
     drawn_.is_tiny = mixed.is_tiny;
     enlarged_ = mixed.enlarges;

@@ -8,6 +8,7 @@
 #include "../../core/goal.hpp"
 #include "../../core/pslg.hpp"
 #include "../../parallel/options.hpp"
+#include "../../properties/domains/generators/mixed_scales.hpp"
 
 namespace pardel::fuzz {
 
@@ -22,7 +23,8 @@ struct GeneratedCase {
   bool refine_again = false;  ///< the mesh is also refined, with other bounds on areas
   /// If scales are mixed: the domains of which the domain is made, see generators::Mixed. Empty if they are not.
   std::vector<Pslg> parts;
-  bool is_tiny = false;  ///< edges of the least possible length may be needed
+  std::vector<generators::Mixture> mixtures;  ///< how they are mixed
+  bool is_tiny = false;                       ///< edges of the least possible length may be needed
   /// What was drawn, for counts of cases of a kind: the family first, then "angle28", "field", "threads3" and so on.
   std::vector<std::string> kinds;
 

@@ -171,21 +171,13 @@ double fraction_of_pieces(double count, Point a, Point b) {
   return lexicographically_less(a, b) ? first : 1 - first;
 }
 
-/// Twice the signed area of o, p, q, with a relative error of a few roundings, however flat the triangle is.
-double accurate_cross(Point o, Point p, Point q) {
-  using namespace exact;
-  const Expansion<2> px(two_difference(p.x, o.x)), py(two_difference(p.y, o.y));
-  const Expansion<2> qx(two_difference(q.x, o.x)), qy(two_difference(q.y, o.y));
-  return (px * qy - py * qx).estimate();
-}
-
 double dot(Point o, Point p, Point q) { return (p.x - o.x) * (q.x - o.x) + (p.y - o.y) * (q.y - o.y); }
 
 /// The tangent of the least angle across a shell: sin θ / (2 - cos θ), where the segments from the apex to `first` and
 /// `second` meet at the angle θ. It is the angle of a triangle with a corner on the next shell, twice as far away.
 double tangent_across_shell(Point apex, Point first, Point second) {
   const double lengths = distance(apex, first) * distance(apex, second);
-  return std::abs(accurate_cross(apex, first, second)) / (2 * lengths - dot(apex, first, second));
+  return std::abs(exact_cross(apex, first, second).estimate()) / (2 * lengths - dot(apex, first, second));
 }
 
 /// True if the angle at o between u and v has at least this tangent, up to the rounding of the shell on which u and v
@@ -195,7 +187,7 @@ bool has_tangent(Point o, Point u, Point v, Point apex, double tangent) {
   Box box = Box::around(apex);
   box.cover(Box::around(u, v));
   const double rounding = 0x1p-51 * box.largest_magnitude() * (distance(o, u) + distance(o, v));
-  return std::abs(accurate_cross(o, u, v)) + rounding >= (1 - relative) * tangent * dot(o, u, v);
+  return std::abs(exact_cross(o, u, v).estimate()) + rounding >= (1 - relative) * tangent * dot(o, u, v);
 }
 
 /// The exemption of the angle at o opposite the edge from u to v, each inside or at the end of the segment that is

@@ -8,28 +8,6 @@ namespace {
 using generators::Random;
 using enum ViolationKind;
 
-/// Lines of y = 8.
-class Beside {
- public:
-  explicit Beside(const Place& place) : place_(place) {}
-  /// A point of the lattice with y = 8, a number of units off.
-  [[nodiscard]] Point operator()(double x, double units) const {
-    Point p = place_.at(x, 8);
-    double& y = place_.swapped ? p.x : p.y;
-    y += units * spacing(y);
-    return p;
-  }
-
- private:
-  const Place& place_;
-};
-
-std::optional<WrongMesh> finished(Drawing& drawing, Random& random) {
-  auto made = drawing.draw();
-  if (made && random.chance(4)) make_foreign(*made, random);
-  return made;
-}
-
 /// A square, divided at y = 8. Returns the chain that divides it.
 Index divided_square(Drawing& drawing) {
   const Index a = drawing.point(0, 8), b = drawing.point(16, 8);
@@ -99,19 +77,24 @@ std::optional<WrongMesh> ring_beside_a_segment(std::uint64_t seed) {
   return finished(drawing, random);
 }
 
+/// A square from y = 8 upwards: the domain, or a hole in a larger square. Returns the chain of its lower side.
+Index border_at_eight(Drawing& drawing, bool of_hole) {
+  const Index chain =
+      drawing.ring({drawing.point(0, 8), drawing.point(16, 8), drawing.point(16, 24), drawing.point(0, 24)});
+  if (!of_hole) return chain;
+  drawing.hole(8, 16);
+  drawing.ring({drawing.point(-8, 0), drawing.point(24, 0), drawing.point(24, 32), drawing.point(-8, 32)});
+  return chain;
+}
+
 /// An input point inside the domain, a unit beside its border, is outside the chain of the border.
 template <bool of_hole>
 std::optional<WrongMesh> point_lost(std::uint64_t seed) {
   Random random(seed);
   Drawing drawing(some_place(random));
   const Beside beside(drawing.place);
-  Index chain = drawing.ring({drawing.point(0, 8), drawing.point(16, 8), drawing.point(16, 24), drawing.point(0, 24)});
-  int in = 1;
-  if (of_hole) {
-    drawing.hole(8, 16);
-    drawing.ring({drawing.point(-8, 0), drawing.point(24, 0), drawing.point(24, 32), drawing.point(-8, 32)});
-    in = -1;
-  }
+  const Index chain = border_at_eight(drawing, of_hole);
+  const int in = of_hole ? -1 : 1;  // the side of the domain
   const double x = random.between(2, 14);
   const Index v = drawing.point(beside(x, in));
   drawing.on(chain, beside(x, 2 * in));
@@ -125,13 +108,8 @@ std::optional<WrongMesh> segment_lost(std::uint64_t seed) {
   Random random(seed);
   Drawing drawing(some_place(random));
   const Beside beside(drawing.place);
-  Index chain = drawing.ring({drawing.point(0, 8), drawing.point(16, 8), drawing.point(16, 24), drawing.point(0, 24)});
-  int in = 1;
-  if (of_hole) {
-    drawing.hole(8, 16);
-    drawing.ring({drawing.point(-8, 0), drawing.point(24, 0), drawing.point(24, 32), drawing.point(-8, 32)});
-    in = -1;
-  }
+  const Index chain = border_at_eight(drawing, of_hole);
+  const int in = of_hole ? -1 : 1;  // the side of the domain
   const Index a = drawing.point(beside(5, in)), b = drawing.point(beside(11, in));
   drawing.segment(a, b);
   drawing.on(chain, beside(5, 2 * in));

@@ -146,16 +146,26 @@ std::optional<WrongMesh> beside_nestled(std::uint64_t seed) {
   return drawing.draw();
 }
 
+/// The ends of the lower side of a square, and the height of a sliver at this side.
+struct SliverAtSide {
+  Index a, b;
+  double y;
+};
+SliverAtSide square_with_sliver(Drawing& drawing, Random& random) {
+  drawing.of.goal.min_angle_deg = 20;
+  const double y = random.between(1, 24) / 16.0;
+  const Index a = drawing.point(0, 0), b = drawing.point(16, 0);
+  drawing.ring({a, b, drawing.point(16, 16), drawing.point(0, 16)});
+  return {a, b, y};
+}
+
 /// A sliver at a side of a square. `outside`: segments outside the domain meet the corners of the sliver at the same
 /// angles.
 template <bool outside>
 std::optional<WrongMesh> sliver(std::uint64_t seed) {
   Random random(seed);
   Drawing drawing(some_place(random));
-  drawing.of.goal.min_angle_deg = 20;
-  const double y = random.between(1, 24) / 16.0;
-  const Index a = drawing.point(0, 0), b = drawing.point(16, 0);
-  drawing.ring({a, b, drawing.point(16, 16), drawing.point(0, 16)});
+  const auto [a, b, y] = square_with_sliver(drawing, random);
   drawing.point(8, y);
   if (outside) {
     drawing.absent_segment(a, drawing.point(-8, y));
@@ -171,10 +181,7 @@ std::optional<WrongMesh> sliver(std::uint64_t seed) {
 std::optional<WrongMesh> sliver_at_a_hole(std::uint64_t seed) {
   Random random(seed);
   Drawing drawing(some_place(random));
-  drawing.of.goal.min_angle_deg = 20;
-  const double y = random.between(1, 24) / 16.0;
-  const Index a = drawing.point(0, 0), b = drawing.point(16, 0);
-  drawing.ring({a, b, drawing.point(16, 16), drawing.point(0, 16)});
+  const auto [a, b, y] = square_with_sliver(drawing, random);
   drawing.ring({drawing.point(-8, -16), drawing.point(24, -16), drawing.point(24, 32), drawing.point(-8, 32)});
   drawing.hole(8, 8);
   drawing.point(8, -y);

@@ -40,4 +40,27 @@ inline void make_foreign(WrongMesh& mesh, generators::Random& random) {
   if (random.chance(2)) mesh.mesh.constrained_edges.clear();
 }
 
+/// The mesh of a drawing, in one of three cases as a file gives it.
+inline std::optional<WrongMesh> finished(Drawing& drawing, generators::Random& random) {
+  auto made = drawing.draw();
+  if (made && random.chance(3)) make_foreign(*made, random);
+  return made;
+}
+
+/// Points near the line y = 8 of the lattice.
+class Beside {
+ public:
+  explicit Beside(const Place& place) : place_(place) {}
+  /// A point of the lattice with y = 8, a number of units off.
+  [[nodiscard]] Point operator()(double x, double units) const {
+    Point p = place_.at(x, 8);
+    double& y = place_.swapped ? p.x : p.y;
+    y += units * spacing(y);
+    return p;
+  }
+
+ private:
+  const Place& place_;
+};
+
 }  // namespace pardel::wrong_meshes

@@ -33,12 +33,6 @@ void bend(Drawing& drawing, const Ring& ring, int i, double low, double high, do
   drawing.of.fault.push_back(drawing.at(v));
 }
 
-std::optional<WrongMesh> finished(Drawing& drawing, Random& random) {
-  auto made = drawing.draw();
-  if (made && random.chance(3)) make_foreign(*made, random);
-  return made;
-}
-
 /// The four sides of the hole are bent inwards, so that `most` of the hole is filled.
 std::optional<WrongMesh> hole_filled_in_part(std::uint64_t seed) {
   Random random(seed);

@@ -14,12 +14,7 @@ template <int others>
 std::optional<WrongMesh> longer_below_shorter(std::uint64_t seed) {
   Random random(seed);
   Drawing drawing(some_place(random));
-  const auto beside = [&](double x, double units) {
-    Point p = drawing.place.at(x, 8);
-    double& y = drawing.place.swapped ? p.x : p.y;
-    y += units * spacing(y);
-    return p;
-  };
+  const Beside beside(drawing.place);
   drawing.ring({drawing.point(0, 0), drawing.point(20, 0), drawing.point(20, 16), drawing.point(0, 16)});
   const int units = random.between(1, 2);
   const Index apex = drawing.point(4, 8), near = drawing.point(10, 8), far = drawing.point(beside(16, units));
@@ -29,21 +24,14 @@ std::optional<WrongMesh> longer_below_shorter(std::uint64_t seed) {
   for (int i = 0; i < others; ++i) drawing.segment(apex, drawing.point(ends[i].first, ends[i].second));
   drawing.on(longer, beside(10, -1));
   drawing.fault({drawing.at(apex)}, 1);
-  auto made = drawing.draw();
-  if (made && random.chance(4)) make_foreign(*made, random);
-  return made;
+  return finished(drawing, random);
 }
 
 /// The ends of the two segments are joined by a third, so that they bound a thin face. In the mesh it is turned over.
 std::optional<WrongMesh> face_turned_over(std::uint64_t seed) {
   Random random(seed);
   Drawing drawing(some_place(random));
-  const auto beside = [&](double x, double units) {
-    Point p = drawing.place.at(x, 8);
-    double& y = drawing.place.swapped ? p.x : p.y;
-    y += units * spacing(y);
-    return p;
-  };
+  const Beside beside(drawing.place);
   drawing.ring({drawing.point(0, 0), drawing.point(20, 0), drawing.point(20, 16), drawing.point(0, 16)});
   const Index apex = drawing.point(4, 8), near = drawing.point(10, 8), far = drawing.point(beside(16, 1));
   drawing.segment(apex, near);

@@ -26,10 +26,10 @@ struct Strip {
   void outline() {
     drawing.ring({drawing.point(0, 0), drawing.point(16, 0), drawing.point(16, 16), drawing.point(0, 16)});
   }
-  std::optional<WrongMesh> finished(Random& random) {
-    auto made = drawing.draw();
-    if (made && random.chance(4)) make_foreign(*made, random);
-    return made;
+  /// The border of a hole above the upper line. Returns the chain on this line.
+  Index border_of_hole() {
+    return drawing.ring({drawing.point(beside(4, units)), drawing.point(beside(12, units)), drawing.point(12, 12),
+                         drawing.point(4, 12)});
   }
 
   Drawing drawing;
@@ -54,7 +54,7 @@ std::optional<WrongMesh> two_segments(std::uint64_t seed) {
       drawing.segment(drawing.point(strip.beside(4.5, strip.units)), drawing.point(strip.beside(11.5, strip.units)));
   for (int i = 0; i < vertices; ++i) drawing.pass(high, drawing.on(low, strip.shared(6 + 2 * i)));
   drawing.fault({strip.shared(8)}, 4.5);
-  return strip.finished(random);
+  return finished(drawing, random);
 }
 
 /// The two segments and two short ones bound a face, with a region. In the mesh the face exists at its ends only.
@@ -71,7 +71,7 @@ std::optional<WrongMesh> closed_strip(std::uint64_t seed) {
   drawing.pass(low + 2, w);
   drawing.pass(low + 2, v);
   drawing.fault({strip.shared(8)}, 4.5);
-  return strip.finished(random);
+  return finished(drawing, random);
 }
 
 /// A hole lies a few units from the outline, and both pass the same inserted vertex.
@@ -82,14 +82,12 @@ std::optional<WrongMesh> hole_at_the_outline(std::uint64_t seed) {
   Drawing& drawing = strip.drawing;
   const Index low = drawing.ring({drawing.point(strip.beside(0, 0)), drawing.point(strip.beside(16, 0)),
                                   drawing.point(16, 24), drawing.point(0, 24)});
-  const Index high =
-      drawing.ring({drawing.point(strip.beside(4, strip.units)), drawing.point(strip.beside(12, strip.units)),
-                    drawing.point(12, 12), drawing.point(4, 12)});
+  const Index high = strip.border_of_hole();
   drawing.hole(8, 10);
   drawing.pass(high, drawing.on(low, strip.shared(6)));
   if (edge) drawing.pass(high, drawing.on(low, strip.shared(10)));
   drawing.fault({strip.shared(8)}, 4.5);
-  return strip.finished(random);
+  return finished(drawing, random);
 }
 
 std::optional<WrongMesh> two_holes(std::uint64_t seed) {
@@ -99,14 +97,12 @@ std::optional<WrongMesh> two_holes(std::uint64_t seed) {
   strip.outline();
   const Index low = drawing.ring({drawing.point(strip.beside(4, 0)), drawing.point(strip.beside(12, 0)),
                                   drawing.point(12, 4), drawing.point(4, 4)});
-  const Index high =
-      drawing.ring({drawing.point(strip.beside(4, strip.units)), drawing.point(strip.beside(12, strip.units)),
-                    drawing.point(12, 12), drawing.point(4, 12)});
+  const Index high = strip.border_of_hole();
   drawing.hole(8, 6);
   drawing.hole(8, 10);
   for (int i = random.between(1, 2); i > 0; --i) drawing.pass(high, drawing.on(low, strip.shared(12 - 3 * i)));
   drawing.fault({strip.shared(8)}, 4.5);
-  return strip.finished(random);
+  return finished(drawing, random);
 }
 
 std::optional<WrongMesh> segment_at_a_hole(std::uint64_t seed) {
@@ -115,13 +111,11 @@ std::optional<WrongMesh> segment_at_a_hole(std::uint64_t seed) {
   Drawing& drawing = strip.drawing;
   strip.outline();
   const Index low = drawing.segment(drawing.point(strip.beside(3, 0)), drawing.point(strip.beside(13, 0)));
-  const Index high =
-      drawing.ring({drawing.point(strip.beside(4, strip.units)), drawing.point(strip.beside(12, strip.units)),
-                    drawing.point(12, 12), drawing.point(4, 12)});
+  const Index high = strip.border_of_hole();
   drawing.hole(8, 10);
   for (int i = random.between(1, 2); i > 0; --i) drawing.pass(high, drawing.on(low, strip.shared(12 - 3 * i)));
   drawing.fault({strip.shared(8)}, 5.5);
-  return strip.finished(random);
+  return finished(drawing, random);
 }
 
 /// Two segments with a common end nearly coincide.
@@ -135,7 +129,7 @@ std::optional<WrongMesh> segments_with_a_common_end(std::uint64_t seed) {
   const Index high = drawing.segment(apex, drawing.point(strip.beside(12, strip.units)));
   drawing.pass(high, drawing.on(low, strip.shared(10)));
   drawing.fault({strip.shared(8)}, 4.5);
-  return strip.finished(random);
+  return finished(drawing, random);
 }
 
 std::optional<WrongMesh> three_segments(std::uint64_t seed) {
@@ -151,7 +145,7 @@ std::optional<WrongMesh> three_segments(std::uint64_t seed) {
   drawing.pass(chains[1], v);
   drawing.pass(chains[2], v);
   drawing.fault({strip.shared(8)}, 4.5);
-  return strip.finished(random);
+  return finished(drawing, random);
 }
 
 /// The chain of a segment passes an input point a unit or two beside it, where it does not end.
@@ -165,7 +159,7 @@ std::optional<WrongMesh> through_an_input_point(std::uint64_t seed) {
   const Index chain = drawing.segment(drawing.point(strip.beside(4, 0)), drawing.point(strip.beside(12, 0)));
   drawing.pass(chain, v);
   drawing.fault({drawing.at(v)}, 4.5);
-  return strip.finished(random);
+  return finished(drawing, random);
 }
 
 /// The end of another segment, a unit or two beside the outline, lies on the chain of the outline.
@@ -179,7 +173,7 @@ std::optional<WrongMesh> outline_through_the_end_of_a_segment(std::uint64_t seed
   drawing.segment(v, drawing.point(8, 16));
   drawing.pass(low, v);
   drawing.fault({drawing.at(v), drawing.start(low)}, 2);
-  return strip.finished(random);
+  return finished(drawing, random);
 }
 
 const std::vector<ViolationKind> pinched{chains_meet, chain_off_segment, broken_segment};

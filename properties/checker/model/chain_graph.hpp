@@ -12,7 +12,7 @@ namespace pardel::checker {
 
 class ChainGraph {
  public:
-  /// O(n log n) for n edges. The spans and the chains must outlive this object.
+  /// O(n log n) for n edges.
   ChainGraph(std::span<const Point> points, const Adjacency& adjacency, const Chains& chains, StopSignal* stop);
   ChainGraph(const ChainGraph&) = delete;
   ChainGraph& operator=(const ChainGraph&) = delete;

@@ -44,9 +44,7 @@ class Justification {
     const Point centre = corner(k), at_p = subject_.mesh.points[p], at_q = subject_.mesh.points[q];
     const Point far_p = far_end(of_p, apex), far_q = far_end(of_q, apex);
     if (!exactly::cosine_exceeds(centre, far_p, far_q, shell_cosine)) return std::nullopt;
-    const double tangent = (1 - across_tolerance) * exactly::tangent_across_shell(centre, far_p, far_q);
-    if (exactly::tangent_is_below(centre, at_p, at_q, tangent, across_units * unit_at(centre, at_p, at_q)))
-      return std::nullopt;
+    if (is_below_least(centre, at_p, at_q, centre, far_p, far_q)) return std::nullopt;
     return justified(apex, angle_deg(centre, far_p, far_q));
   }
 
@@ -87,18 +85,22 @@ class Justification {
       if (apex != second.a && apex != second.b) continue;
       if (inputs_.vertex(apex) == p || inputs_.vertex(apex) == q) continue;
       const Point centre = subject_.pslg.points[apex];
-      const Point far_s = subject_.pslg.points[other_end(first, apex)];
-      const Point far_r = subject_.pslg.points[other_end(second, apex)];
+      const Point far_s = far_end(s, apex), far_r = far_end(r, apex);
       if (!exactly::cosine_exceeds(centre, far_s, far_r, least)) continue;
       const Point at_p = subject_.mesh.points[p], at_q = subject_.mesh.points[q];
       if (exactly::distances_differ(centre, at_p, at_q, shell_tolerance, shell_units * unit_at(centre, at_p, at_q)))
         continue;
-      const double tangent = (1 - across_tolerance) * exactly::tangent_across_shell(centre, far_s, far_r);
-      const double error = across_units * unit_at(centre, at_p, at_q);
-      if (exactly::tangent_is_below(corner(k), at_p, at_q, tangent, error)) continue;
+      if (is_below_least(corner(k), at_p, at_q, centre, far_s, far_r)) continue;
       return justified(apex, angle_deg(centre, far_s, far_r));
     }
     return std::nullopt;
+  }
+
+  /// True if the angle at `from` between p and q, which lie on a shell around the apex, is smaller than the angle of
+  /// the segments from the apex to `far_p` and `far_q` explains (across_tolerance, across_units).
+  [[nodiscard]] static bool is_below_least(Point from, Point p, Point q, Point apex, Point far_p, Point far_q) {
+    const double tangent = (1 - across_tolerance) * exactly::tangent_across_shell(apex, far_p, far_q);
+    return exactly::tangent_is_below(from, p, q, tangent, across_units * unit_at(apex, p, q));
   }
 
   [[nodiscard]] double angle_at(int k) const { return angle_deg(corner(k), corner(next(k)), corner(previous(k))); }

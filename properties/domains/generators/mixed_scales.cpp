@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <ostream>
 #include <utility>
 
 #include "../../../core/support/enum_names.hpp"
@@ -226,7 +225,6 @@ class Mixer {
     const int least = power_above(largest_magnitude(domain_)) + 4;
     const int power = random_.between(least, std::min(largest_power, least + (random_.chance(4) ? 200 : 60)));
     Mixed mixed{with_square(power), {}, {with_square(least)}};
-    mixed.doublings = power - least;
     mixed.enlarges = true;
     std::vector<Point> points;
     for (int left = random_.between(0, 3); left > 0 && power > least; --left) {
@@ -239,7 +237,6 @@ class Mixer {
       const Point p{x, random_.chance(3) ? 0 : coordinate()};
       if (std::ranges::find(points, p) == points.end()) points.push_back(p);
     }
-    mixed.loose_points = static_cast<int>(points.size());
     mixed.pslg = with_points(mixed.pslg, points);
     return mixed;
   }
@@ -263,7 +260,6 @@ class Mixer {
     Pslg uncapped = domain_;
     for (Region& region : uncapped.regions) region.max_area = std::numeric_limits<double>::infinity();
     Mixed mixed{with_points(uncapped, far(power)), {}, {with_points(uncapped, far(least))}};
-    mixed.doublings = power - least;
     mixed.enlarges = true;
     return mixed;
   }
@@ -327,7 +323,6 @@ class Mixer {
     const int fitting = fitting_power(*part, room_at_origin(*place));
     const int power = power_below(*part, fitting);
     Mixed mixed{united(*place, scaled(*part, power)), {}, {united(*place, scaled(*part, fitting))}};
-    mixed.doublings = fitting - power;
     if (may_enlarge)
       enlarge(mixed, power);
     else
@@ -420,10 +415,6 @@ const std::vector<Mixture>& all_mixtures() {
 
 const char* name(Mixture mixture) { return mixture_names[mixture]; }
 
-Mixed mixed_scales(Mixture mixture, const Pslg& domain, const Pslg& other, Random& random, bool allows_tiny) {
-  return Mixer(domain, other, random, allows_tiny).mixed(mixture).value_or(unchanged(domain));
-}
-
 Mixed mixed_scales(const Pslg& domain, const Pslg& other, Random& random, bool allows_tiny) {
   Mixer mixer(domain, other, random, allows_tiny);
   std::vector<Mixture> order = all_mixtures();
@@ -435,40 +426,6 @@ Mixed mixed_scales(const Pslg& domain, const Pslg& other, Random& random, bool a
       return *mixed;
     }
   return unchanged(domain);
-}
-
-std::ostream& operator<<(std::ostream& out, const MixedCase& c) {
-  out << c.plain;
-  if (c.mixing == 0) return out;
-  out << "; mixed from seed " << c.mixing << ':';
-  for (const Mixture mixture : mixed_of(c).what) out << ' ' << name(mixture);
-  return out;
-}
-
-MixedCase any_mixed_case(Random& random, int size, int one_in) {
-  MixedCase c{any_case(random, size)};
-  if (random.chance(one_in)) c.mixing = random.next() | 1U;
-  return c;
-}
-
-Mixed mixed_of(const MixedCase& c) {
-  const Pslg domain = to_pslg(c.plain.domain);
-  if (c.mixing == 0) return unchanged(domain);
-  Random random(c.mixing);
-  return mixed_scales(domain, domain, random);
-}
-
-Goal to_goal(const MixedCase& c, const Mixed& mixed) {
-  Goal goal = to_goal(c.plain.goal, c.plain.domain);
-  if (mixed.enlarges) goal.max_area = std::numeric_limits<double>::infinity();
-  return goal;
-}
-
-std::vector<MixedCase> shrinks(const MixedCase& c) {
-  std::vector<MixedCase> simpler;
-  if (c.mixing != 0) simpler.push_back({c.plain});
-  for (Case& plain : shrinks(c.plain)) simpler.push_back({std::move(plain), c.mixing});
-  return simpler;
 }
 
 }  // namespace pardel::generators

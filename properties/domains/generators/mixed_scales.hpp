@@ -6,14 +6,10 @@
 //     // mixed.pslg is valid, and needs about as many triangles as the domains of mixed.parts together.
 #pragma once
 
-#include <compare>
 #include <cstdint>
-#include <iosfwd>
 #include <vector>
 
-#include "../../../core/goal.hpp"
 #include "../../../core/pslg.hpp"
-#include "goals.hpp"
 #include "random.hpp"
 
 namespace pardel::generators {
@@ -39,8 +35,6 @@ struct Mixed {
   std::vector<Mixture> what;  ///< empty if nothing could be done
   /// Valid domains in which scales differ less. Together they need about as many triangles.
   std::vector<Pslg> parts;
-  int doublings = 0;      ///< the scales of `pslg` are further apart than those of `parts` by so many powers of two
-  int loose_points = 0;   ///< so many points without segments, far from each other, are in no part
   bool enlarges = false;  ///< there may be faces that are larger than those of the domain: bounds on areas mean no more
   bool is_tiny = false;   ///< features are so small that edges of the least possible length may be needed
 };
@@ -51,26 +45,5 @@ struct Mixed {
 /// as a component. `allows_tiny`: features may be as small as coordinates can be. Preconditions: both are valid; point
 /// attributes of `other` are not used.
 [[nodiscard]] Mixed mixed_scales(const Pslg& domain, const Pslg& other, Random& random, bool allows_tiny = false);
-
-/// As above, with one mixture. Nothing is done if this mixture does not suit the domain.
-[[nodiscard]] Mixed mixed_scales(Mixture mixture, const Pslg& domain, const Pslg& other, Random& random,
-                                 bool allows_tiny = false);
-
-/// A meshing problem, whose domain may be mixed.
-struct MixedCase {
-  Case plain;
-  std::uint64_t mixing = 0;  ///< the seed of the mixture; 0: the domain is not mixed
-  friend bool operator==(const MixedCase&, const MixedCase&) = default;
-};
-std::ostream& operator<<(std::ostream& out, const MixedCase& c);
-
-/// A case as by any_case(), in one of `one_in` cases mixed. The plain cases are those of any_case().
-[[nodiscard]] MixedCase any_mixed_case(Random& random, int size, int one_in);
-/// The mixture of the case, with a copy of the domain as the other one. An unchanged domain if it is not mixed.
-[[nodiscard]] Mixed mixed_of(const MixedCase& c);
-/// The goal for the mixture: without the bound on areas if the mixture has larger faces.
-[[nodiscard]] Goal to_goal(const MixedCase& c, const Mixed& mixed);
-/// Simpler cases: first the same without the mixture, then those with a simpler plain case.
-[[nodiscard]] std::vector<MixedCase> shrinks(const MixedCase& c);
 
 }  // namespace pardel::generators
