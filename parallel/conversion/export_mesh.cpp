@@ -9,6 +9,7 @@
 #include "../concurrency/hilbert_order.hpp"
 #include "../concurrency/parallel_arrays.hpp"
 #include "../interpolation/background.hpp"
+#include "../interpolation/between_ends.hpp"
 
 namespace pardel::engine {
 namespace {
@@ -106,6 +107,29 @@ void mark_vertices(Mesh& mesh, const DomainTriangulation& domain, const PointDat
     if (data.markers[v] != 0) mesh.point_markers[v] = data.markers[v];
 }
 
+/// The interpolation of attribute `a`.
+double attribute_at(const Located& at, const PointData& data, std::size_t a) {
+  double value = 0;
+  for (unsigned corner = 0; corner < 3; ++corner)
+    value += at.weight[corner] * data.attributes[at.v[corner] * data.attributes_per_point + a];
+  return value;
+}
+
+/// The attributes of vertices inside segments of a mesh that was refined. Rounding has moved them off the sides of its
+/// triangles.
+void interpolate_on_sides(Mesh& mesh, const Background& on, const PointData& data, const Threads& threads) {
+  const std::size_t k = data.attributes_per_point;
+  parallel_blocks(threads, mesh.points.size(), [&](std::size_t first, std::size_t last, std::size_t) {
+    LocationHint hint;
+    for (std::size_t v = first; v < last; ++v) {
+      const Index origin = mesh.origin[v];
+      if (origin == interior_vertex || origin == input_vertex) continue;
+      const Located at = on_nearest_side(on.locate(mesh.points[v], hint));
+      for (std::size_t a = 0; a < k; ++a) mesh.point_attributes[v * k + a] = attribute_at(at, data, a);
+    }
+  });
+}
+
 void interpolate_attributes(Mesh& mesh, const PointData& data, std::vector<std::array<Index, 3>> background,
                             const Threads& threads) {
   const std::size_t k = data.attributes_per_point;
@@ -116,6 +140,10 @@ void interpolate_attributes(Mesh& mesh, const PointData& data, std::vector<std::
   mesh.point_attributes.append(data.attributes);
   const Background on(mesh.points.span().first(inputs), std::move(background), threads);
   mesh.point_attributes.append(interpolated_attributes(on, mesh.points.span().subspan(inputs), data, threads));
+  if (data.segments)
+    interpolate_along_segments(mesh.points.span(), mesh.origin.span(), data, mesh.point_attributes.span(), threads);
+  else
+    interpolate_on_sides(mesh, on, data, threads);
 }
 
 }  // namespace
@@ -150,15 +178,23 @@ std::vector<double> interpolated_attributes(const Background& on, std::span<cons
     LocationHint hint;
     for (std::size_t i = first; i < last; ++i) {
       const Located at = on.locate(places[order[i]], hint);
-      for (std::size_t a = 0; a < k; ++a) {
-        double value = 0;
-        for (unsigned corner = 0; corner < 3; ++corner)
-          value += at.weight[corner] * data.attributes[at.v[corner] * k + a];
-        values[order[i] * k + a] = value;
-      }
+      for (std::size_t a = 0; a < k; ++a) values[order[i] * k + a] = attribute_at(at, data, a);
     }
   });
   return values;
+}
+
+void interpolate_along_segments(std::span<const Point> vertices, std::span<const Index> origin, const PointData& data,
+                                std::span<double> attributes, const Threads& threads) {
+  const std::size_t k = data.attributes_per_point;
+  const std::span<const Segment> segments = *data.segments;
+  const auto end = [&](Index point) { return SegmentEnd{data.points[point], data.attributes.subspan(point * k, k)}; };
+  parallel_blocks(threads, vertices.size(), [&](std::size_t first, std::size_t last, std::size_t) {
+    for (std::size_t v = first; v < last; ++v)
+      if (const Index number = segment_of_origin(origin[v]); number < segments.size())
+        interpolate_between(end(segments[number].a), end(segments[number].b), vertices[v],
+                            attributes.subspan(v * k, k));
+  });
 }
 
 Mesh export_triangulation(DomainTriangulation& domain, std::vector<double> region_attributes,

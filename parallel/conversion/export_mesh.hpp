@@ -19,6 +19,9 @@ struct PointData {
   std::size_t attributes_per_point = 0;
   std::span<const double> attributes;
   std::span<const int> markers;
+  /// Attributes of points inserted on these segments are interpolated between the two ends. Of a mesh that is refined,
+  /// nothing: its subsegments have values of their own, and attributes are interpolated on the sides of its triangles.
+  std::optional<std::span<const Segment>> segments{};
 };
 
 /// Converts a triangulation in place, without a second copy of its triangles. The input points come first, in the order
@@ -29,9 +32,9 @@ struct PointData {
 [[nodiscard]] Mesh export_triangulation(DomainTriangulation& domain, std::vector<double> region_attributes,
                                         std::span<const Point> input_points, const Threads& threads);
 
-/// Gives the points of a mesh their markers and attributes. Attributes are interpolated on the triangles `background`
-/// (corners as indices of input points); it may be empty if there are no attributes. `domain`: the one that was
-/// exported.
+/// Gives the points of a mesh their markers and attributes. Attributes are interpolated along the segments, and
+/// elsewhere on the triangles `background` (corners as indices of input points); it may be empty if there are no
+/// attributes. `domain`: the one that was exported.
 void add_point_data(Mesh& mesh, const DomainTriangulation& domain, const PointData& data,
                     std::vector<std::array<Index, 3>> background, const Threads& threads);
 
@@ -51,5 +54,9 @@ void name_input_segments(DomainTriangulation& domain, const Threads& threads);
 /// The attributes that are interpolated at these places on the input points, place by place.
 [[nodiscard]] std::vector<double> interpolated_attributes(const Background& on, std::span<const Point> places,
                                                           const PointData& data, const Threads& threads);
+/// Writes the attributes of the vertices that were inserted on segments of `data`. `origin` and `attributes`: of all
+/// vertices. Precondition: data.segments is given.
+void interpolate_along_segments(std::span<const Point> vertices, std::span<const Index> origin, const PointData& data,
+                                std::span<double> attributes, const Threads& threads);
 
 }  // namespace pardel::engine

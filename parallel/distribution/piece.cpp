@@ -125,6 +125,7 @@ class PieceMaker {
     for (const Index point : input_point)
       mesh.point_attributes.append(point != no_index ? data.attributes.subspan(point * k, k)
                                                      : std::span(interpolated).subspan(k * next++, k));
+    interpolate_along_segments(t_.points.span(), t_.origin.span(), data, mesh.point_attributes.span(), threads_);
   }
 
   void add_shared_vertices() {

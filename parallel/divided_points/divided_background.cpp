@@ -6,6 +6,7 @@
 #include "../../core/support/answers_of_ranks.hpp"
 #include "../conversion/export_mesh.hpp"
 #include "../interpolation/background.hpp"
+#include "../interpolation/between_ends.hpp"
 #include "../triangulation/triangle_shape.hpp"
 
 namespace pardel::engine {
@@ -93,10 +94,10 @@ void DividedBackground::add_triangles_at_home(const PartOfDomain& part, Ranks& r
   }
 }
 
-void DividedBackground::add_attributes(MeshPiece& piece, const ReadAttributes& read, Ranks& ranks) && {
+void DividedBackground::add_attributes(MeshPiece& piece, const KeptDomain& kept, Ranks& ranks) && {
   Mesh& mesh = piece.mesh;
-  const std::size_t k = mesh.attributes_per_point = read.per_point();
-  const std::vector<double> values = read.of(number_, ranks);
+  const std::size_t k = mesh.attributes_per_point = kept.attributes.per_item();
+  const std::vector<double> values = kept.attributes.of(number_, ranks);
   number_ = {};
   const PointData data{points_, k, values, {}};
   const bool is_empty = triangles_.empty();
@@ -109,7 +110,7 @@ void DividedBackground::add_attributes(MeshPiece& piece, const ReadAttributes& r
       numbers.push_back(piece.number[v]);
     else
       inserted.push_back(mesh.points[v]);
-  const std::vector<double> given = read.of(numbers, ranks);
+  const std::vector<double> given = kept.attributes.of(numbers, ranks);
   const auto owner = [&](std::size_t i) { return division_.owner(inserted[i]); };
   const std::vector<double> interpolated =
       answers_of_ranks<double>(inserted, k, ranks, owner, [&](const std::vector<Point>& places) {
@@ -122,6 +123,27 @@ void DividedBackground::add_attributes(MeshPiece& piece, const ReadAttributes& r
     auto& next = piece.number[v] < inputs_ ? next_given : next_interpolated;
     for (std::size_t a = 0; a < k; ++a) mesh.point_attributes.push_back(*next++);
   }
+  add_along_segments(mesh, kept, ranks);
+}
+
+/// Replaces the attributes of the vertices inside segments.
+void DividedBackground::add_along_segments(Mesh& mesh, const KeptDomain& kept, Ranks& ranks) {
+  std::vector<Index> vertices;
+  std::vector<std::uint64_t> segments, points;
+  for (Index v = 0; v < mesh.points.size(); ++v) {
+    const Index origin = mesh.origin[v];
+    if (origin == interior_vertex || origin == input_vertex || origin == hull_vertex) continue;
+    vertices.push_back(v);
+    segments.push_back(segment_of_origin(origin));
+  }
+  for (const Segment& segment : kept.segments.of(segments, ranks)) points.insert(points.end(), {segment.a, segment.b});
+  const std::vector<Point> places = kept.points.of(points, ranks);
+  const std::vector<double> values = kept.attributes.of(points, ranks);
+  const std::size_t k = kept.attributes.per_item();
+  const auto end = [&](std::size_t i) { return SegmentEnd{places[i], std::span(values).subspan(i * k, k)}; };
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    interpolate_between(end(2 * i), end(2 * i + 1), mesh.points[vertices[i]],
+                        mesh.point_attributes.span().subspan(vertices[i] * k, k));
 }
 
 }  // namespace pardel::engine

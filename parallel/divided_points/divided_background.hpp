@@ -7,8 +7,8 @@
 
 #include "../distributed.hpp"
 #include "../given_points/curve_division.hpp"
+#include "kept_by_readers.hpp"
 #include "part_of_domain.hpp"
-#include "read_attributes.hpp"
 
 namespace pardel::engine {
 
@@ -21,10 +21,11 @@ class DividedBackground {
 
   /// Gives the vertices of a piece their attributes, with the values that one process gives them. Uses up the
   /// triangles. Collective. O(n log n) for n points and vertices of this rank.
-  void add_attributes(MeshPiece& piece, const ReadAttributes& read, Ranks& ranks) &&;
+  void add_attributes(MeshPiece& piece, const KeptDomain& kept, Ranks& ranks) &&;
 
  private:
   void add_triangles_at_home(const PartOfDomain& part, Ranks& ranks);
+  static void add_along_segments(Mesh& mesh, const KeptDomain& kept, Ranks& ranks);
   void add_points_of(const PartOfDomain& part, Ranks& ranks);
 
   const CurveDivision& division_;

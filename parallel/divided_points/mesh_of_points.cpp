@@ -15,8 +15,8 @@
 #include "../planning/supervised.hpp"
 #include "divided_background.hpp"
 #include "divided_points.hpp"
+#include "kept_by_readers.hpp"
 #include "part_of_domain.hpp"
-#include "read_attributes.hpp"
 
 namespace pardel {
 
@@ -24,13 +24,27 @@ using namespace engine;
 
 namespace {
 
+/// Takes the attributes, and copies what their interpolation needs of the rest: nothing if there are no attributes.
+KeptDomain kept_for_attributes(PartOfPslg& input, Ranks& ranks) {
+  const std::size_t k = std::exchange(input.points.attributes_per_point, 0);
+  std::vector<Point> points;
+  std::vector<Segment> segments;
+  if (k > 0) {
+    points = input.points.points;
+    segments = input.segments.segments;
+  }
+  return {{std::exchange(input.points.point_attributes, {}), k, input.points.points.size(), ranks},
+          {std::move(points), 1, input.points.points.size(), ranks},
+          {std::move(segments), 1, input.segments.segments.size(), ranks}};
+}
+
 Result<MeshPiece> mesh_of(PartOfPslg&& input, const Goal& goal, const Options& options, ProgressMonitor& progress,
                           Ranks& ranks) {
   Stopwatch watch;
   input.rest.first_id = input.points.first_id;
   if (Status fine = status_of(unusable_values(input.points, ranks, progress.threads()), input.rest.first_id); !fine)
     return fine.error();
-  const ReadAttributes attributes(input.points, ranks);
+  const KeptDomain kept = kept_for_attributes(input, ranks);
   Result<std::unique_ptr<TriangulatedPoints>> made = triangulated(std::move(input.points), ranks, progress.threads());
   if (!made) return made.error();
   Result<PartOfDomain> part_made =
@@ -41,7 +55,7 @@ Result<MeshPiece> mesh_of(PartOfPslg&& input, const Goal& goal, const Options& o
   const CurveDivision division = (*made)->division;
   made->reset();
   std::optional<DividedBackground> background;
-  if (attributes.per_point() > 0) background.emplace(part, division, ranks, progress.threads());
+  if (kept.attributes.per_item() > 0) background.emplace(part, division, ranks, progress.threads());
   DividedPoints distribution(ranks, part, division);
   Report report;
   report.triangulate_seconds = watch.lap();
@@ -55,7 +69,7 @@ Result<MeshPiece> mesh_of(PartOfPslg&& input, const Goal& goal, const Options& o
   Result<MeshPiece> piece = refine_in_ranks(part.domain, distribution, criteria, options, progress, std::move(data),
                                             std::move(report), watch);
   if (piece && background) {
-    std::move(*background).add_attributes(*piece, attributes, ranks);
+    std::move(*background).add_attributes(*piece, kept, ranks);
     piece->seconds += watch.lap();
   }
   return piece;

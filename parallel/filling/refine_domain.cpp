@@ -7,7 +7,8 @@
 namespace pardel::engine {
 
 InputData input_data(const Pslg& pslg, const DomainTriangulation& domain, const Threads& threads) {
-  InputData input{{}, {pslg.points, pslg.attributes_per_point, pslg.point_attributes, pslg.point_markers}, {}};
+  InputData input{
+      {}, {pslg.points, pslg.attributes_per_point, pslg.point_attributes, pslg.point_markers, pslg.segments}, {}};
   for (const Region& region : pslg.regions) input.region_attributes.push_back(region.attribute);
   if (pslg.attributes_per_point > 0) input.background = input_corners(domain, threads);
   return input;

@@ -1,6 +1,7 @@
 // A fixed triangulation for interpolation: point location and barycentric weights.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -20,6 +21,15 @@ struct Located {
   std::array<Index, 3> v{};
   std::array<double, 3> weight{};  ///< barycentric, >= 0, sum 1
 };
+
+/// The place on the boundary of the same triangle whose least weight is zero.
+[[nodiscard]] inline Located on_nearest_side(Located at) {
+  auto& weight = at.weight;
+  *std::ranges::min_element(weight) = 0;
+  const double sum = weight[0] + weight[1] + weight[2];
+  for (double& each : weight) each /= sum;
+  return at;
+}
 
 /// The place where the last search ended, and where the next one starts: a leaf of a Background, a source of a
 /// SizeEnvelope. It determines only the time that the search takes. Threads do not share a hint.

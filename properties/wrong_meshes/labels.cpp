@@ -96,6 +96,17 @@ std::optional<WrongMesh> regions_without_seeds(std::uint64_t seed) {
   return made;
 }
 
+/// Per vertex, an input point with values that it may have: on a segment one of its ends.
+std::vector<Index> points_with_values(const WrongMesh& made) {
+  const std::size_t inputs = made.pslg.points.size();
+  std::vector<Index> source(made.mesh.points.size(), 0);
+  for (Index v = 0; v < inputs; ++v) source[v] = v;
+  for (const ConstrainedEdge& e : made.mesh.constrained_edges)
+    for (const Index v : {e.a, e.b})
+      if (v >= inputs) source[v] = made.pslg.segments[e.segment].a;
+  return source;
+}
+
 /// Two attributes per point. Those of inserted vertices lie between the others.
 std::optional<WrongMesh> with_attributes(Random& random) {
   Drawing drawing = two_squares(random, 0);
@@ -109,10 +120,8 @@ std::optional<WrongMesh> with_attributes(Random& random) {
   const double width[] = {random.chance(4) ? 0.0 : 10.0, 1.0};
   for (std::size_t i = 0; i < pslg.points.size(); ++i)
     for (int k = 0; k < 2; ++k) pslg.point_attributes.push_back(base[k] + width[k] * random.uniform());
-  for (std::size_t v = 0; v < mesh.points.size(); ++v)
-    for (std::size_t k = 0; k < 2; ++k)
-      mesh.point_attributes.push_back(v < pslg.points.size() ? pslg.point_attributes[2 * v + k]
-                                                             : pslg.point_attributes[k]);
+  for (const Index source : points_with_values(*made))
+    for (std::size_t k = 0; k < 2; ++k) mesh.point_attributes.push_back(pslg.point_attributes[2 * source + k]);
   return made;
 }
 
@@ -126,13 +135,20 @@ std::pair<double, double> range_of(const Pslg& pslg, std::size_t k) {
   return {least, greatest};
 }
 
+bool is_on_segment(const Mesh& mesh, Index v) {
+  return std::ranges::any_of(mesh.constrained_edges, [&](const ConstrainedEdge& e) { return e.a == v || e.b == v; });
+}
+
+enum class Where : std::uint8_t { anywhere, off_segments };
+
 /// Attribute k of an inserted vertex becomes change(least, greatest).
 template <class Change>
-std::optional<WrongMesh> change_attribute(Random& random, std::size_t k, const Change& change) {
+std::optional<WrongMesh> change_attribute(Random& random, std::size_t k, Where where, const Change& change) {
   auto made = with_attributes(random);
   if (!made) return made;
   const std::size_t inputs = made->pslg.points.size(), inserted = made->mesh.points.size() - inputs;
-  const std::size_t v = inputs + random.below(inserted);
+  auto v = static_cast<Index>(inputs + random.below(inserted));
+  if (where == Where::off_segments && is_on_segment(made->mesh, v)) return std::nullopt;
   const auto [least, greatest] = range_of(made->pslg, k);
   made->mesh.point_attributes[2 * v + k] = change(least, greatest);
   made->fault = {made->mesh.points[v]};
@@ -143,7 +159,7 @@ std::optional<WrongMesh> change_attribute(Random& random, std::size_t k, const C
 template <std::size_t k>
 std::optional<WrongMesh> outside_the_range(std::uint64_t seed) {
   Random random(seed);
-  return change_attribute(random, k, [&](double least, double greatest) {
+  return change_attribute(random, k, Where::anywhere, [&](double least, double greatest) {
     const double largest = std::max(std::abs(least), std::abs(greatest));
     const double by = (largest > 0 ? largest : 1) * some_magnitude(random, 2e-9, 1e6);
     return random.chance(2) ? least - by : greatest + by;
@@ -152,12 +168,12 @@ std::optional<WrongMesh> outside_the_range(std::uint64_t seed) {
 
 std::optional<WrongMesh> not_a_number(std::uint64_t seed) {
   Random random(seed);
-  return change_attribute(random, random.below(2), [](double, double) { return std::nan(""); });
+  return change_attribute(random, random.below(2), Where::anywhere, [](double, double) { return std::nan(""); });
 }
 
 std::optional<WrongMesh> infinite(std::uint64_t seed) {
   Random random(seed);
-  return change_attribute(random, random.below(2), [&](double, double) {
+  return change_attribute(random, random.below(2), Where::anywhere, [&](double, double) {
     const double infinity = std::numeric_limits<double>::infinity();
     return random.chance(2) ? infinity : -infinity;
   });
@@ -174,9 +190,36 @@ std::optional<WrongMesh> of_an_input_point(std::uint64_t seed) {
   return made;
 }
 
+/// The vertex on the side that two squares share has a value of the input that its ends do not allow. Only pardel's own
+/// meshes promise more than the range of the input.
+template <bool foreign>
+std::optional<WrongMesh> beyond_the_ends(std::uint64_t seed) {
+  Random random(seed);
+  Drawing drawing(some_place(random));
+  const Index a = drawing.point(16, 0), b = drawing.point(16, 16);
+  const Index left = drawing.point(0, 0), right = drawing.point(32, 0);
+  drawing.ring({left, a, right, drawing.point(32, 16), b, drawing.point(0, 16)});
+  const Index middle = drawing.on_at(drawing.segment(a, b), 0.5);
+  auto made = drawing.draw();
+  if (!made) return made;
+  const double base = random.chance(2) ? 0.0 : -1000.0;
+  made->pslg.attributes_per_point = made->mesh.attributes_per_point = 1;
+  for (Index i = 0; i < made->pslg.points.size(); ++i)
+    made->pslg.point_attributes.push_back(base + (i == a ? 2 : i == b ? 3 : random.between(0, 5)));
+  made->pslg.point_attributes[right] = base;
+  made->pslg.point_attributes[left] = base + 5;
+  for (const Index source : points_with_values(*made))
+    made->mesh.point_attributes.push_back(made->pslg.point_attributes[source]);
+  const double beyond = some_magnitude(random, 1e-5, 2);
+  made->mesh.point_attributes[middle] = base + (random.chance(2) ? 2 - beyond : 3 + beyond);
+  made->fault = {made->mesh.points[middle]};
+  if (foreign) make_foreign(*made, random);
+  return made;
+}
+
 std::optional<WrongMesh> at_the_end_of_the_range(std::uint64_t seed) {
   Random random(seed);
-  return change_attribute(random, random.below(2), [&](double least, double greatest) {
+  return change_attribute(random, random.below(2), Where::off_segments, [&](double least, double greatest) {
     const double by = std::max(std::abs(least), std::abs(greatest)) * 5e-10;
     return random.chance(2) ? least - by : greatest + by;
   });
@@ -197,7 +240,9 @@ const Kind kinds[] = {
     {"labels", "an attribute of an inserted vertex is no number", attribute, not_a_number},
     {"labels", "an attribute of an inserted vertex is infinite", attribute, infinite},
     {"labels", "an attribute of an input point is the next double", attribute, of_an_input_point},
+    {"labels", "an attribute on a segment is not between those of the ends", attribute, beyond_the_ends<false>},
     {"right", "an attribute of an inserted vertex is at the end of the range", {}, at_the_end_of_the_range},
+    {"right", "in a mesh of others, an attribute on a segment is not between its ends", {}, beyond_the_ends<true>},
 };
 
 }  // namespace

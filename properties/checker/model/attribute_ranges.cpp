@@ -13,7 +13,7 @@ bool AttributeRange::contains(double value) const {
   return value >= least - spare && value <= greatest + spare;
 }
 
-AttributeRanges::AttributeRanges(const Pslg& pslg) {
+AttributeRanges::AttributeRanges(const Pslg& pslg) : pslg_(&pslg) {
   const std::size_t k = pslg.attributes_per_point;
   if (k == 0 || pslg.points.empty() || pslg.point_attributes.size() != k * pslg.points.size()) return;
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -29,12 +29,20 @@ AttributeRanges::AttributeRanges(const Pslg& pslg) {
     if (is_finite[a] == 0) ranges_[a] = {-infinity, infinity};
 }
 
-std::optional<std::size_t> AttributeRanges::first_outside(const Mesh& mesh, Index v) const {
+AttributeRange AttributeRanges::between(std::size_t attribute, const Segment& segment) const {
+  const std::size_t k = ranges_.size();
+  const auto [least, greatest] = std::minmax(pslg_->point_attributes[segment.a * k + attribute],
+                                             pslg_->point_attributes[segment.b * k + attribute]);
+  return {least, greatest};
+}
+
+std::optional<AttributeOutside> AttributeRanges::first_outside(const Mesh& mesh, Index v, const Segment* on) const {
   const std::size_t k = ranges_.size();
   if (k == 0 || mesh.attributes_per_point != k || mesh.point_attributes.size() != k * mesh.points.size()) return {};
   for (std::size_t a = 0; a < k; ++a) {
     if (std::isinf(ranges_[a].greatest)) continue;
-    if (!ranges_[a].contains(mesh.point_attributes[v * k + a])) return a;
+    const AttributeRange range = on == nullptr ? ranges_[a] : between(a, *on);
+    if (!range.contains(mesh.point_attributes[v * k + a])) return AttributeOutside{a, range};
   }
   return {};
 }

@@ -223,24 +223,30 @@ void check_regions(const Subject& subject, const Domain& domain, std::span<const
 
 namespace {
 
-/// The attributes of vertices that are no input points.
-void check_interpolated_attributes(const Subject& subject, const InputVertices& inputs, Findings& found) {
+/// The attributes of vertices that are no input points. Other meshers than pardel may interpolate across a segment.
+void check_interpolated_attributes(const Subject& subject, const Domain& domain, const Chains& chains,
+                                   const InputVertices& inputs, Findings& found) {
   const Mesh& mesh = subject.mesh;
   const AttributeRanges ranges(subject.pslg);
   check_each(mesh.points.size(), found, [&](std::size_t i, Findings& mine) {
     const auto v = static_cast<Index>(i);
-    const auto outside = ranges.first_outside(mesh, v);
+    const Index segment = chains.segment_of[v];
+    const bool is_on_segment = segment != no_index && !domain.is_hull_piece(segment) && !subject.options.foreign;
+    const Segment* on = is_on_segment ? &domain.segments()[segment] : nullptr;
+    const auto outside = ranges.first_outside(mesh, v, on);
     if (!outside || inputs.input(v) != no_index) return;
     const Index name = subject.names.vertex(v);
+    const auto& [attribute, range] = *outside;
     mine.add(ViolationKind::wrong_attribute, {name}, {mesh.points[v]},
-             "attribute " + to_text(*outside) + " of vertex " + to_text(name) + " is " +
-                 to_text(mesh.point_attributes[i * mesh.attributes_per_point + *outside]) +
-                 ", but those of the input points are between " + to_text(ranges[*outside].least) + " and " +
-                 to_text(ranges[*outside].greatest));
+             "attribute " + to_text(attribute) + " of vertex " + to_text(name) + " is " +
+                 to_text(mesh.point_attributes[i * mesh.attributes_per_point + attribute]) + ", but those of the " +
+                 (is_on_segment ? "ends of segment " + to_text(segment) : "input points") + " are between " +
+                 to_text(range.least) + " and " + to_text(range.greatest));
   });
 }
 
-void check_attributes(const Subject& subject, const InputVertices& inputs, Findings& found) {
+void check_attributes(const Subject& subject, const Domain& domain, const Chains& chains, const InputVertices& inputs,
+                      Findings& found) {
   const Mesh& mesh = subject.mesh;
   const std::size_t n = mesh.attributes_per_point;
   if (n == 0 || subject.pslg.point_attributes.size() != n * subject.pslg.points.size()) return;
@@ -258,7 +264,7 @@ void check_attributes(const Subject& subject, const InputVertices& inputs, Findi
                     " instead of " + to_text(belongs));
     }
   }
-  check_interpolated_attributes(subject, inputs, found);
+  check_interpolated_attributes(subject, domain, chains, inputs, found);
 }
 
 }  // namespace
@@ -268,7 +274,7 @@ void check_labels(const Subject& subject, const Domain& domain, const Adjacency&
   check_constrained_edges(subject, domain, adjacency, chains, found);
   check_vertex_markers(subject, domain, chains, adjacency, inputs, found);
   check_origins(subject, domain, chains, inputs, found);
-  check_attributes(subject, inputs, found);
+  check_attributes(subject, domain, chains, inputs, found);
 }
 
 }  // namespace pardel::checker

@@ -96,5 +96,29 @@ PARDEL_PROPERTY(Refinement, keeps_the_labels_of_points,
   require_valid(check(problem.pslg, meshed(problem, exhibit).mesh, problem.goal));
 }
 
+/// How far p has come on the way from a to b: 0 at a, 1 at b.
+double share_of_way(Point a, Point p, Point b) {
+  const double x = b.x - a.x, y = b.y - a.y;
+  return ((p.x - a.x) * x + (p.y - a.y) * y) / (x * x + y * y);
+}
+
+PARDEL_PROPERTY(Refinement, interpolates_attributes_along_segments,
+                {.statement = "An attribute of a vertex inside a segment is linear between the ends of the segment.",
+                 .source = refinement_source,
+                 .families = every_family}) {
+  Problem problem = some_problem(exhibit);
+  std::vector<double>& given = problem.pslg.point_attributes;
+  problem.pslg.attributes_per_point = 1;
+  for (std::size_t i = 0; i < problem.pslg.points.size(); ++i) given.push_back(*rc::gen::inRange(-1000, 1000));
+  const Mesh mesh = meshed(problem, exhibit).mesh;
+  for (Index v = 0; v < mesh.points.size(); ++v) {
+    const Index number = segment_of_origin(mesh.origin[v]);
+    if (number >= problem.pslg.segments.size()) continue;
+    const auto [a, b, marker] = problem.pslg.segments[number];
+    const double share = share_of_way(problem.pslg.points[a], mesh.points[v], problem.pslg.points[b]);
+    RC_ASSERT(std::abs(mesh.point_attributes[v] - std::lerp(given[a], given[b], share)) < 1e-5);
+  }
+}
+
 }  // namespace
 }  // namespace pardel::properties

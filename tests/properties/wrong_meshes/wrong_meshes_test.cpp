@@ -95,7 +95,8 @@ PARDEL_FACT(WrongMeshes, with_small_angles_that_have_no_cause_are_refused,
 
 PARDEL_FACT(WrongMeshes, with_labels_of_other_places_are_refused,
             {.statement = "a mesh is refused, with the place, if a triangle has a region that is not that of its face, "
-                          "or an attribute of an inserted vertex is no number or leaves the range of the input",
+                          "or an attribute of an inserted vertex is no number, leaves the range of the input, or, on a "
+                          "segment, that of its ends",
              .source = source,
              .families = places}) {
   expect_verdicts("labels", facts);

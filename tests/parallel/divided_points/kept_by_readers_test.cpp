@@ -1,6 +1,8 @@
-#include "../../../parallel/divided_points/read_attributes.hpp"
+#include "../../../parallel/divided_points/kept_by_readers.hpp"
 
 #include <gtest/gtest.h>
+
+#include <utility>
 
 #include "../../../core/support/stop_signal.hpp"
 #include "../../../properties/domains/domains.hpp"
@@ -21,14 +23,17 @@ Pslg numbered_points(std::size_t count) {
   return pslg;
 }
 
-TEST(ReadAttributes, are_found_by_the_numbers_of_points_on_every_rank) {
+KeptByReaders<double> kept_attributes(const Pslg& pslg, Ranks& ranks) {
+  PartOfPoints part = part_of(pslg, ranks);
+  return {std::move(part.point_attributes), part.attributes_per_point, part.points.size(), ranks};
+}
+
+TEST(KeptByReaders, values_are_found_by_the_numbers_of_items_on_every_rank) {
   const Pslg pslg = numbered_points(20);
   for (const int count : {1, 3, 8}) {  // the last of 8 has read no point
     on_ranks(count, [&](Ranks& ranks) {
-      PartOfPoints part = part_of(pslg, ranks);
-      const ReadAttributes read(part, ranks);
-      EXPECT_TRUE(part.attributes_per_point == 0 && part.point_attributes.empty());
-      EXPECT_EQ(read.per_point(), 2U);
+      const KeptByReaders<double> read = kept_attributes(pslg, ranks);
+      EXPECT_EQ(read.per_item(), 2U);
       EXPECT_EQ(read.of({19, 0, 7, 7}, ranks), (std::vector<double>{19, -19, 0, -0.0, 7, -7, 7, -7}));
       EXPECT_EQ(read.of({}, ranks), std::vector<double>{});
       const std::uint64_t own = ranks.rank();
@@ -37,10 +42,9 @@ TEST(ReadAttributes, are_found_by_the_numbers_of_points_on_every_rank) {
   }
 }
 
-TEST(ReadAttributes, of_a_point_that_does_not_exist_are_refused) {
+TEST(KeptByReaders, values_of_an_item_that_does_not_exist_are_refused) {
   on_ranks(2, [&](Ranks& ranks) {
-    PartOfPoints part = part_of(numbered_points(20), ranks);
-    const ReadAttributes read(part, ranks);
+    const KeptByReaders<double> read = kept_attributes(numbered_points(20), ranks);
     EXPECT_THROW(static_cast<void>(read.of({20}, ranks)), Stopped);
   });
 }
