@@ -1,5 +1,6 @@
 #include "assessor.hpp"
 
+#include "../arithmetic/distance.hpp"
 #include "../triangulation/flips.hpp"
 
 namespace pardel::engine {
@@ -13,6 +14,12 @@ bool Assessor::below_floor(EdgeRef e) const {
   const Point a = t_.points[t_.slot(e).from(e.side())], b = t_.points[t_.slot(e).to(e.side())];
   const double floor = floor_.along(a, b);
   return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y) < 4 * floor * floor;
+}
+
+bool Assessor::undercuts_floor(EdgeRef side) const {
+  const Slot& slot = t_.slot(side);
+  const Point a = t_.points[slot.from(side.side())];
+  return distance(a, t_.points[slot.to(side.side())]) < floor_.at(a);
 }
 
 /// The first constrained side that has to be split and may be split; 3 if there is no such side.

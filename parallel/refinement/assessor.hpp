@@ -87,9 +87,7 @@ class Assessor {
   [[nodiscard]] bool below_floor(EdgeRef e) const;
   /// True if the shortest side of the triangle is shorter than the floor where this side begins.
   [[nodiscard]] bool below_floor(TriangleId id, const Measure& m) const {
-    const double shortest = m.shortest_squared();
-    return shortest < squared_highest_floor_ &&
-           shortest < floor_.squared_at(t_.points[t_.slots[id].from(m.shortest_side())]);
+    return m.shortest_squared() < squared_highest_floor_ && undercuts_floor(EdgeRef(id, m.shortest_side()));
   }
   [[nodiscard]] bool too_large(TriangleId id, LocalHints& hints) const {
     return too_large(id, Shape(t_, t_.slots[id]), hints);
@@ -116,6 +114,9 @@ class Assessor {
   [[nodiscard]] Index region_of(TriangleId id) const { return t_.region.empty() ? no_index : t_.region[id]; }
 
  private:
+  /// True if the side is shorter than the floor where it begins. Measures of triangles do not tell: they are rounded by
+  /// the distance of the far corner.
+  [[nodiscard]] bool undercuts_floor(EdgeRef side) const;
   [[nodiscard]] unsigned find_non_delaunay_side(TriangleId id) const;
   [[nodiscard]] Assessment assess_at_constraint(TriangleId id, const Measure& m, LocalHints& hints) const;
   [[nodiscard]] unsigned encroached_side(TriangleId id, const Slot& slot, const Measure& m) const;
