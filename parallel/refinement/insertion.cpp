@@ -8,6 +8,7 @@
 #include "../triangulation/flips.hpp"
 #include "../triangulation/held.hpp"
 #include "../triangulation/paired_disk_query.hpp"
+#include "make_room.hpp"
 
 namespace pardel::engine {
 namespace {
@@ -187,20 +188,25 @@ void Insertion::commit(Point p, Index origin) {
 
 /// Used if rounding has moved p so far that its cavity is not star-shaped.
 Outcome Insertion::edge_by_flips(Point p, EdgeRef e, Index segment) {
+  flipped_.clear();
+  e = make_room(t_, e, p, flipped_);
+  if (e.none()) return Outcome::refused;
   const auto corners = corners_around(t_, p);
-  const Walk walk = cavity_.find_on_edge(t_, e, SingleTriangleQuery(t_, no_triangle, corners, any_vertex));
-  if (walk != Walk::complete || !measure_fan(p)) return Outcome::refused;
+  static_cast<void>(cavity_.find_on_edge(t_, e, SingleTriangleQuery(t_, no_triangle, corners, any_vertex)));
   commit(p, origin_on_segment(segment));
   finish_by_flips();
   return Outcome::inserted;
 }
 
+/// flipped_: the triangles that room was made with.
 void Insertion::finish_by_flips() {
   has_flipped_ = true;
   is_measured_ = false;
-  flipped_.assign(changed_.begin(), changed_.end());
   std::vector<EdgeRef> suspects;
+  for (const TriangleId id : flipped_)
+    suspects.insert(suspects.end(), {EdgeRef(id, 0), EdgeRef(id, 1), EdgeRef(id, 2)});
   for (const TriangleId id : changed_) suspects.insert(suspects.end(), {EdgeRef(id, 0), EdgeRef(id, 1)});
+  flipped_.insert(flipped_.end(), changed_.begin(), changed_.end());
   restore_delaunay(t_, std::move(suspects), flipped_);
   changed_ = flipped_;
 }

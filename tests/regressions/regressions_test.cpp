@@ -101,6 +101,28 @@ TEST(BoundsRegression, domains_near_the_smallest_coordinates_are_refined_as_far_
   }
 }
 
+/// The sides of triangles were compared with the floor after their lengths had been rounded by the far corner: to 0.
+TEST(BoundsRegression, near_points_in_a_huge_outline_are_refined_wherever_points_are_placed) {
+  const Pslg pslg = domain_for_bounds("near_points_in_a_huge_outline");
+  for (const Placement placement : {Placement::circumcentre, Placement::off_centre, Placement::search}) {
+    const Goal goal{.min_angle_deg = 20};
+    const Result<Meshed> meshed = mesh(pslg, goal, {.placement = placement});
+    ASSERT_TRUE(meshed) << meshed.error().message;
+    EXPECT_TRUE(meshed->report.exempt.empty());
+    EXPECT_TRUE(check(pslg, meshed->mesh, goal).valid);
+  }
+}
+
+/// The vertices of a side form slivers, because everything else is far away. They left no room for splits of the side.
+TEST(BoundsRegression, slivers_along_a_side_in_a_huge_outline_do_not_keep_it_from_being_split) {
+  const Pslg pslg = domain_for_bounds("capped_triangle_in_a_huge_outline");
+  const Goal goal{.min_angle_deg = 0, .region_caps = true, .conforming = true};
+  const Result<Meshed> meshed = mesh(pslg, goal);
+  ASSERT_TRUE(meshed) << meshed.error().message;
+  EXPECT_TRUE(meshed->report.exempt.empty());
+  EXPECT_TRUE(check(pslg, meshed->mesh, goal).valid);
+}
+
 /// On most of the slanted side, x is too small for the predicates. Vertices there were moved to x = 0, which is far
 /// beside the side for coordinates of this size.
 TEST(BoundsRegression, a_side_with_a_tiny_slope_has_its_vertices_on_it) {

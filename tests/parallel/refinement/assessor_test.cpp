@@ -82,6 +82,16 @@ TEST(Assessor, leaves_a_triangle_with_an_edge_shorter_than_the_minimum_alone) {
   EXPECT_TRUE(scene.assessor.assess(0).left_alone);
 }
 
+/// Measured from its far corner, the shortest side has length 0.
+TEST(Assessor, splits_a_triangle_with_a_short_side_far_from_its_third_corner) {
+  const double far = 0x1p60;
+  for (const std::vector<Point>& corners :
+       {std::vector<Point>{{0, 0}, {8, 0}, {far, far}}, {{-far, -far}, {0, 0}, {0, 8}}}) {
+    const samples::AssessedSample scene(corners, {.max_area = 1}, Placement::circumcentre);
+    EXPECT_EQ(scene.assessor.assess_inside(0).need, Need::split_triangle);
+  }
+}
+
 TEST(Assessor, splits_no_edge_that_is_forbidden_or_too_short) {
   const Goal goal{.min_angle_deg = 5};
   for (const Options& options :

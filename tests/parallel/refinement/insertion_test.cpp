@@ -346,6 +346,21 @@ TEST(SplitEdge, refuses_a_point_beyond_a_vertex_next_to_the_edge) {
   }
 }
 
+/// Points of a bent chain, of which three form a sliver below the edge that is split; all other points are far away.
+/// Rounding has put the split point on or beyond the line of the next edge of the chain.
+TEST(SplitEdge, makes_room_where_vertices_of_the_chain_form_a_sliver) {
+  for (const double left : {1.0, -1.0})
+    for (const double y : {0.6, 0.625, 0.66}) {
+      InsertionScene scene({{0, 0}, {left * 8, 1}, {left * 12, 1.4}, {left * 50, -4000}, {left * 6, 50}},
+                           {{0, 1}, {1, 2}});
+      ASSERT_FALSE(samples::find_edge(scene.t(), 0, 2).none()) << "no sliver";
+      ASSERT_EQ(scene.split({left * 4, y}, samples::find_edge(scene.t(), 0, 1), 0), Outcome::inserted);
+      EXPECT_EQ(samples::fault(scene.t()), "");
+      EXPECT_EQ(scene.t().points.size(), 6U);
+      for (const VertexId end : {0U, 1U}) EXPECT_FALSE(samples::find_edge(scene.t(), end, 5).none());
+    }
+}
+
 TEST(FreeSegment, leaves_the_triangulation_valid_wherever_it_is_split) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     samples::Random random(seed);
