@@ -8,6 +8,7 @@
 #include "../../core/pslg.hpp"
 #include "../../core/support/point_order.hpp"
 #include "../arithmetic/pair.hpp"
+#include "../arithmetic/predicates.hpp"
 #include "triangulation.hpp"
 
 namespace pardel::engine {
@@ -66,14 +67,14 @@ struct Shape : Measure {
   Shape(const Triangulation& t, const Slot& slot)
       : Shape(t.points[slot.v[0]], t.points[slot.v[1]], t.points[slot.v[2]]) {}
   /// All lengths are computed from the differences to the first corner. An insertion computes them in the same way
-  /// (Insertion::measures), so both results have the same bits. The areas are also the same if the floating-point
-  /// filter determines their sign.
+  /// (Insertion::measures), and the area by the same predicate, so both results have the same bits. Lengths are rounded
+  /// by the distance of the first corner; the area is not.
   Shape(Point a, Point b, Point c) : p{a, b, c} {
     const double abx = b.x - a.x, aby = b.y - a.y;
     const double acx = c.x - a.x, acy = c.y - a.y;
     const double bcx = acx - abx, bcy = acy - aby;
     squared = {bcx * bcx + bcy * bcy, acx * acx + acy * acy, abx * abx + aby * aby};
-    twice_area = abx * acy - aby * acx;
+    twice_area = orient2d(b, c, a);
   }
 
   [[nodiscard]] Point centroid() const { return centroid_of(p[0], p[1], p[2]); }
