@@ -119,4 +119,9 @@ Decision decide_incircle(Point a, Point b, Point c, Point d) {
 double orient2d(Point a, Point b, Point c) { return decide_orient2d(a, b, c).value; }
 double incircle(Point a, Point b, Point c, Point d) { return decide_incircle(a, b, c, d).value; }
 
+double twice_area(Point a, Point b, Point c) {
+  const Difference p(b, a), q(c, a);
+  return p.exact() && q.exact() ? cross_of_heads(p, q).estimate() : cross(p, q).estimate();
+}
+
 }  // namespace pardel::engine::exact

@@ -26,6 +26,9 @@ inline constexpr double smallest_coordinate = 0x1p-140;
 namespace exact {
 [[nodiscard]] double orient2d(Point a, Point b, Point c);
 [[nodiscard]] double incircle(Point a, Point b, Point c, Point d);
+/// (b - a) x (c - a), up to a few roundings of the result: twice the area of a counter-clockwise triangle. The
+/// determinant of orient2d() has the same sign, but may be falsified by as much as its magnitude.
+[[nodiscard]] double twice_area(Point a, Point b, Point c);
 }  // namespace exact
 
 /// The orientation determinant of a, b and the origin in floating point, with a bound on its error. T is double or

@@ -37,18 +37,10 @@ Point projected(Point p, Point a, Point b) {
   return {p.x - off * dy.head, p.y + off * dx.head};
 }
 
-/// (b - a) x (p - a), without rounding.
-exact::Expansion<16> exact_cross(Point a, Point b, Point p) {
-  using namespace exact;
-  const Expansion<2> dx(two_difference(b.x, a.x)), dy(two_difference(b.y, a.y));
-  const Expansion<2> ex(two_difference(p.x, a.x)), ey(two_difference(p.y, a.y));
-  return dx * ey - dy * ex;
-}
-
 /// The place of the line through a and b that has the x coordinate of p, rounded once. Precondition: a.x != b.x.
 Point moved_along_y(Point p, Point a, Point b) {
   // The second step corrects the rounding of the first, which can be a long one.
-  for (int step = 0; step < 2; ++step) p.y -= exact_cross(a, b, p).estimate() / (b.x - a.x);
+  for (int step = 0; step < 2; ++step) p.y -= exact::twice_area(a, b, p) / (b.x - a.x);
   return p;
 }
 
@@ -177,7 +169,7 @@ double dot(Point o, Point p, Point q) { return (p.x - o.x) * (q.x - o.x) + (p.y 
 /// `second` meet at the angle θ. It is the angle of a triangle with a corner on the next shell, twice as far away.
 double tangent_across_shell(Point apex, Point first, Point second) {
   const double lengths = distance(apex, first) * distance(apex, second);
-  return std::abs(exact_cross(apex, first, second).estimate()) / (2 * lengths - dot(apex, first, second));
+  return std::abs(exact::twice_area(apex, first, second)) / (2 * lengths - dot(apex, first, second));
 }
 
 /// True if the angle at o between u and v has at least this tangent, up to the rounding of the shell on which u and v
@@ -187,7 +179,7 @@ bool has_tangent(Point o, Point u, Point v, Point apex, double tangent) {
   Box box = Box::around(apex);
   box.cover(Box::around(u, v));
   const double rounding = 0x1p-51 * box.largest_magnitude() * (distance(o, u) + distance(o, v));
-  return std::abs(exact_cross(o, u, v).estimate()) + rounding >= (1 - relative) * tangent * dot(o, u, v);
+  return std::abs(exact::twice_area(o, u, v)) + rounding >= (1 - relative) * tangent * dot(o, u, v);
 }
 
 /// The exemption of the angle at o opposite the edge from u to v, each inside or at the end of the segment that is

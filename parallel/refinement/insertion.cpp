@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "../arithmetic/predicates.hpp"
 #include "../triangulation/flips.hpp"
@@ -39,11 +40,15 @@ bool Insertion::measure_fan(Point p) {
     const Pair start_x = firsts(a.at, c.at), start_y = seconds(a.at, c.at);
     const Pair end_x = firsts(b.at, d.at), end_y = seconds(b.at, d.at);
     const Pair edge_x = end_x - start_x, edge_y = end_y - start_y;
-    const Pair start{a.square, c.square}, end{b.square, d.square}, edge = edge_x * edge_x + edge_y * edge_y;
-    const Orientation<Pair> turn(start_x, start_y, end_x, end_y);
-    Pair area = turn.determinant;
-    if (!all(turn.determinant > turn.error)) [[unlikely]] {
-      area = Pair{orientation_of(i, p), orientation_of(j, p)};
+    const Pair start{a.square, c.square}, end{b.square, d.square};
+    Pair edge = edge_x * edge_x + edge_y * edge_y, area = start_x * end_y - start_y * end_x;
+    if (const auto fine = area >= share_of_thin * (start + end); !all(fine)) [[unlikely]] {
+      for (const auto& [half, number] : {std::pair{0, i}, std::pair{1, j}}) {
+        if ((bits(fine) >> half & 1) != 0) continue;
+        const Measure thin = measure_of_thin(p, t_.points[boundary[number].from], t_.points[cavity_.to(number)]);
+        edge[half] = thin.squared[0];
+        area[half] = thin.twice_area;
+      }
       visible = visible && all(area > 0);
     }
     closest = least(closest, least(start, end));
@@ -60,10 +65,6 @@ bool Insertion::measure_fan(Point p) {
   breaking_count_ = breaking;
   squared_closest_ = std::min(closest[0], closest[1]);
   return visible;
-}
-
-double Insertion::orientation_of(std::size_t edge, Point p) const {
-  return orient2d(t_.points[cavity_.boundary()[edge].from], t_.points[cavity_.to(edge)], p);
 }
 
 EdgeRef Insertion::longest_encroached() const {

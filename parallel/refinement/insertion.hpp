@@ -89,8 +89,6 @@ class Insertion {
   /// Measures the triangles that would join p to the edges of the cavity's boundary (the fan). Returns true if all of
   /// them are positively oriented.
   bool measure_fan(Point p);
-  /// The exact orientation of a boundary edge and p.
-  [[nodiscard]] double orientation_of(std::size_t edge, Point p) const;
   /// The longest constrained edge of the boundary on which the point encroaches or beyond which it lies; none() if
   /// there is no such edge. Edges on the border of a patch, which cannot be split, come last.
   [[nodiscard]] EdgeRef longest_encroached() const;

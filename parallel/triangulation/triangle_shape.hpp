@@ -8,7 +8,6 @@
 #include "../../core/pslg.hpp"
 #include "../../core/support/point_order.hpp"
 #include "../arithmetic/pair.hpp"
-#include "../arithmetic/predicates.hpp"
 #include "triangulation.hpp"
 
 namespace pardel::engine {
@@ -42,6 +41,12 @@ struct MeasureOf {
 };
 using Measure = MeasureOf<double>;
 
+/// A measure is computed from the differences of two corners to the third. If twice the area is at least this share of
+/// the sum of the squares of these two sides, its relative error is below 2^-40, and so are those of the lengths.
+inline constexpr double share_of_thin = 0x1p-12;
+/// The measure of a triangle of any shape, with as small errors.
+[[nodiscard]] Measure measure_of_thin(Point a, Point b, Point c);
+
 [[nodiscard]] inline Point centroid_of(Point a, Point b, Point c) {
   return {(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3};
 }
@@ -66,15 +71,16 @@ struct Shape : Measure {
 
   Shape(const Triangulation& t, const Slot& slot)
       : Shape(t.points[slot.v[0]], t.points[slot.v[1]], t.points[slot.v[2]]) {}
-  /// All lengths are computed from the differences to the first corner. An insertion computes them in the same way
-  /// (Insertion::measures), and the area by the same predicate, so both results have the same bits. Lengths are rounded
-  /// by the distance of the first corner; the area is not.
+  /// The measure is computed from the differences to the first corner, unless the triangle is thin. An insertion
+  /// computes it in the same way (Insertion::measures), so both results have the same bits.
   Shape(Point a, Point b, Point c) : p{a, b, c} {
     const double abx = b.x - a.x, aby = b.y - a.y;
     const double acx = c.x - a.x, acy = c.y - a.y;
     const double bcx = acx - abx, bcy = acy - aby;
     squared = {bcx * bcx + bcy * bcy, acx * acx + acy * acy, abx * abx + aby * aby};
-    twice_area = orient2d(b, c, a);
+    twice_area = abx * acy - aby * acx;
+    if (!(twice_area >= share_of_thin * (squared[1] + squared[2]))) [[unlikely]]
+      static_cast<Measure&>(*this) = measure_of_thin(a, b, c);
   }
 
   [[nodiscard]] Point centroid() const { return centroid_of(p[0], p[1], p[2]); }
