@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "../arithmetic/predicates.hpp"
 #include "../concurrency/bounding_box.hpp"
 #include "../concurrency/parallel_arrays.hpp"
 
@@ -12,6 +13,10 @@ namespace {
 
 /// The coordinates are at most so many edges. So a rounding moves a point by less than 1e-7 edges.
 constexpr double most_edges = 0x1p26;
+
+/// A coordinate of the lattice that is neither 0 nor a coordinate of the input is at least 2^-54 edges. With longer
+/// edges, the predicates are exact for all of them.
+constexpr double least_edge = smallest_coordinate * 0x1p54;
 
 /// The triangles of each region; those without a region come last.
 std::vector<std::vector<TriangleId>> by_region(const Triangulation& t, std::size_t regions, SparseAsk& ask) {
@@ -49,7 +54,7 @@ Patch patch_of(const Triangulation& t, std::span<const TriangleId> triangles, do
                                   {box.min_x - edge, box.min_y - edge, box.max_x + edge, box.max_y + edge});
   const double farthest =
       std::max({std::abs(box.min_x), std::abs(box.max_x), std::abs(box.min_y), std::abs(box.max_y)});
-  if (!(farthest < most_edges * edge)) return Patch(lattice, {});
+  if (!(farthest < most_edges * edge) || edge < least_edge) return Patch(lattice, {});
 
   const auto is_boundary = [&](EdgeRef across) {
     return across.none() || (!t.region.empty() && t.region[across.triangle()] != t.region[triangles.front()]);

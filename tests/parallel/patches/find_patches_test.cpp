@@ -68,6 +68,12 @@ TEST(FindPatches, makes_none_without_a_bound_or_beyond_double_precision) {
   EXPECT_FALSE(find_patches(square.triangulation, std::array{0.1}, {}, {}).empty());
   const DomainTriangulation far = coarse(domains::moved(domains::square(), 1e9, 0));
   EXPECT_TRUE(find_patches(far.triangulation, std::array{0.1}, {}, {}).empty());
+  for (const double scale : {0x1p-80, 0x1p-100}) {
+    Pslg small = domains::square();
+    for (Point& p : small.points) p = {scale * p.x, scale * p.y};
+    const auto found = find_patches(coarse(small).triangulation, std::array{scale / 16}, {}, {});
+    EXPECT_EQ(found.empty(), scale < 0x1p-82) << "some coordinates could be too small for the predicates";
+  }
 }
 
 TEST(FindPatches, leaves_clearings_free_and_nothing_else) {
