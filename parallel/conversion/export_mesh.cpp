@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include "../arithmetic/between_ends.hpp"
 #include "../concurrency/hilbert_order.hpp"
 #include "../concurrency/parallel_arrays.hpp"
 #include "../interpolation/background.hpp"
-#include "../interpolation/between_ends.hpp"
 
 namespace pardel::engine {
 namespace {

@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "../../core/support/answers_of_ranks.hpp"
+#include "../arithmetic/between_ends.hpp"
 #include "../conversion/export_mesh.hpp"
 #include "../interpolation/background.hpp"
-#include "../interpolation/between_ends.hpp"
 #include "../triangulation/triangle_shape.hpp"
 
 namespace pardel::engine {

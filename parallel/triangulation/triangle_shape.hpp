@@ -8,6 +8,7 @@
 #include "../../core/pslg.hpp"
 #include "../../core/support/point_order.hpp"
 #include "../arithmetic/pair.hpp"
+#include "../arithmetic/predicates.hpp"
 #include "triangulation.hpp"
 
 namespace pardel::engine {
@@ -45,7 +46,10 @@ using Measure = MeasureOf<double>;
 /// the sum of the squares of these two sides, its relative error is below 2^-40, and so are those of the lengths.
 inline constexpr double share_of_thin = 0x1p-12;
 /// The measure of a triangle of any shape, with as small errors.
-[[nodiscard]] Measure measure_of_thin(Point a, Point b, Point c);
+[[nodiscard, gnu::cold]] inline Measure measure_of_thin(Point a, Point b, Point c) {
+  const auto squared = [](Point p, Point q) { return (q.x - p.x) * (q.x - p.x) + (q.y - p.y) * (q.y - p.y); };
+  return {{squared(b, c), squared(c, a), squared(a, b)}, exact::twice_area(a, b, c)};
+}
 
 [[nodiscard]] inline Point centroid_of(Point a, Point b, Point c) {
   return {(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3};

@@ -37,6 +37,7 @@ const std::map<std::string, std::vector<std::string>> covering_tests = {
     {"construction/begin_with_latest", {"construction/delaunay_test", "divided_points/mesh_of_points_test"}},
     {"construction/insertion_order", {"construction/delaunay_test", "given_points/local_delaunay_test"}},
     {"distribution/refine_in_ranks", {"distribution/pieces_test"}},
+    {"refinement/make_room", {"refinement/insertion_test"}},
     {"construction/crossed_edges", {"construction/insert_constraints_test", "given_segments/common_segments_test"}},
     {"given_segments/common_vertices", {"divided_points/mesh_of_points_test"}},
     {"given_segments/given_segment", {"given_segments/common_segments_test"}},

@@ -146,7 +146,7 @@ TEST(Check, requires_all_arrays_of_a_mesh_of_the_mesher_and_none_of_a_foreign_me
   Case whole = testing::square_in_eight();
   whole.pslg.attributes_per_point = whole.mesh.attributes_per_point = 1;
   whole.pslg.point_attributes = {1, 2, 3, 4, 5, 6};
-  whole.mesh.point_attributes.append(std::vector<double>{1, 2, 3, 4, 5, 6, 1, 6, 3.5});
+  whole.mesh.point_attributes.append(std::vector<double>{1, 2, 3, 4, 5, 6, 5.5, 2.5, 3.5});
   EXPECT_TRUE(is_valid(check(whole, no_angle_bound(), own)));
   EXPECT_TRUE(is_valid(check(whole, no_angle_bound(), foreign)));
   Case c = whole;

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "../../core/support/point_order.hpp"
-#include "../arithmetic/distance.hpp"
+#include "distance.hpp"
 
 namespace pardel::engine {
 
