@@ -119,12 +119,13 @@ class Seeds {
  public:
   Seeds(Work& work, SeedRecord& record, StopSignal& stop) : work_(work), record_(record), stop_(stop) {}
 
-  /// Drops those closer than `snap` to a segment.
-  void drop_near_segments(double snap) {
+  /// Drops those closer to a segment than the snapping distance.
+  void drop_near_segments(const Snapping& snapping) {
     Pslg& pslg = work_.pslg;
     const std::vector<Point> seeds = seeds_of(pslg);
+    const Reach reach(snapping, pslg.points, pslg.segments);
     const SweepInput input{
-        .points = pslg.points, .segments = pslg.segments, .queries = seeds, .reach = snap, .stop = &stop_};
+        .points = pslg.points, .segments = pslg.segments, .queries = seeds, .reach = &reach, .stop = &stop_};
     std::vector<Index> holes, regions;
     for (const NearPoint& near : find_near_points(input, sweep_plane(input))) {
       if (near.point < pslg.points.size()) continue;
@@ -204,28 +205,29 @@ std::vector<Problem> find_unusable_values(const Pslg& pslg, StopSignal& stop) {
   return std::move(found).sorted();
 }
 
-std::optional<Result<RepairStage>> repair_once(const Pslg& pslg, double snap, bool convex_hull, StopSignal& stop,
-                                               const RepairStage* from) {
+std::optional<Result<RepairStage>> repair_once(const Pslg& pslg, const Snapping& snapping, bool convex_hull,
+                                               StopSignal& stop, const RepairStage* from) {
   Work work = from == nullptr
                   ? Work{pslg, identity_map(pslg.points.size()), identity_map(pslg.segments.size())}
                   : Work{from->repaired.domain.pslg(), from->repaired.point_map, from->repaired.segment_map};
   SeedRecord record = from == nullptr
                           ? SeedRecord{identity_map(pslg.holes.size()), identity_map(pslg.regions.size()), {}}
                           : from->seeds;
-  if (!untangle(work, snap, stop)) return std::nullopt;
+  const double largest_snap = Reach(snapping, work.pslg.points, work.pslg.segments).largest();
+  if (!untangle(work, snapping, stop)) return std::nullopt;
 
   const std::vector<bool> is_old = images_of_points(work);
   SparseAsk ask(&stop);
   const Moved points = moved_points(pslg, work, ask), segments = bent_segments(pslg, work, is_old, ask);
   Seeds seeds(work, record, stop);
-  if (points.count + segments.count > 0) seeds.drop_near_segments(snap);
+  if (points.count + segments.count > 0) seeds.drop_near_segments(snapping);
   std::vector<std::string> log = summary(pslg, work, is_old);
-  note_moves(pslg, snap, points, segments, log);
+  note_moves(pslg, largest_snap, points, segments, log);
   Result<ValidPslg, std::vector<Problem>> domain = seeds.drop_misplaced(convex_hull);
   if (!domain) return Error{ErrorKind::invalid_input, messages(domain.error(), pslg.first_id.value)};
   log.insert(log.end(), record.dropped.begin(), record.dropped.end());
   return RepairStage{Repaired{std::move(domain).value(), std::move(work.point_map), std::move(work.source),
-                              std::move(log), snap, points, segments},
+                              std::move(log), largest_snap, points, segments},
                      std::move(record)};
 }
 

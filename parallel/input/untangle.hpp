@@ -5,6 +5,7 @@
 
 #include "../../core/pslg.hpp"
 #include "../../core/support/stop_signal.hpp"
+#include "../segments/snapping.hpp"
 
 namespace pardel::engine {
 
@@ -15,9 +16,9 @@ struct Work {
   std::vector<Index> source;     ///< segment -> old segment
 };
 
-/// Changes the points and segments until segments meet only at common ends and contain no other point. With a positive
-/// `snap`, no two points are then closer than `snap`, and no point is closer than half of `snap` to a segment that does
-/// not end there. Returns false if this fails. Asks `stop`.
-[[nodiscard]] bool untangle(Work& work, double snap, StopSignal& stop);
+/// Changes the points and segments until segments meet only at common ends and contain no other point. Unless
+/// `snapping` is zero, no two points are then closer than it allows at their scales (Reach), and no point is closer
+/// than half of that to a segment that does not end there. Returns false if this fails. Asks `stop`.
+[[nodiscard]] bool untangle(Work& work, const Snapping& snapping, StopSignal& stop);
 
 }  // namespace pardel::engine
