@@ -316,9 +316,9 @@ Pslg some_torn_mess(Exhibit& exhibit) {
 constexpr const char* torn_messes = "the same, with ends torn apart by a few roundings";
 
 PARDEL_PROPERTY(Repair, by_default_closes_all_tiny_gaps_and_then_changes_nothing,
-                {.statement = "after repair with the default snapping distance, no two points are closer than the "
-                              "distance, no point and segment closer than half of it, and a second repair changes "
-                              "nothing",
+                {.statement = "after repair with the default snapping distances, no two points are closer than the "
+                              "distance at their scale, no point and segment closer than half of it, and a second "
+                              "repair changes nothing",
                  .source = "parallel/repair.hpp",
                  .families = torn_messes}) {
   const Result<Repaired> result = repair(some_torn_mess(exhibit));
