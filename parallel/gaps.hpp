@@ -50,8 +50,8 @@ inline constexpr double much_narrower = 1000;
 [[nodiscard]] Result<std::vector<Gap>> find_gaps(const ValidPslg& domain, int threads = 0);
 
 /// A snapping distance (RepairOptions::snap) that closes the narrowest gaps and leaves those open that are much wider:
-/// twice the distance of a gap, such that the next gap is at least 16 times as wide. Zero without gaps. Gaps at sides
-/// of the convex hull do not count, because repair cannot close them. Precondition: the narrowest gap is the first.
+/// twice the distance of a gap, such that the next gap is at least 16 times as wide. Zero without gaps. Precondition:
+/// the narrowest gap is the first.
 [[nodiscard]] double closing_snap(std::span<const Gap> gaps);
 
 }  // namespace pardel

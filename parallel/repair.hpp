@@ -56,8 +56,9 @@ struct Moved {
 
 struct Repaired {
   ValidPslg domain;
-  std::vector<Index> point_map;    ///< old point -> new point
-  std::vector<Index> segment_map;  ///< new segment -> the old segment that contains it, the first if several do
+  std::vector<Index> point_map;  ///< old point -> new point
+  /// New segment -> the old segment that contains it, the first if several do; no_index for a side of the convex hull.
+  std::vector<Index> segment_map;
   /// The changes, one sentence each. Ids are those of the old Pslg, counted from its first_id. Empty if nothing
   /// changed.
   std::vector<std::string> log;
@@ -74,6 +75,10 @@ struct Repaired {
 /// something was snapped, those closer than the snapping distance to a segment, because their face may have vanished.
 /// Of several regions in one face the last one stays, as in Triangle. Points added at crossings are rounded; their
 /// attributes are interpolated and their markers are those of the segment. Repairing a repaired domain changes nothing.
+///
+/// If the domain is the convex hull of its points, and points lie near a side of the hull, all sides become segments,
+/// which are bent to these points. The domain then ends at these segments: ValidPslg::convex_hull() is false, and
+/// Goal::convex_hull should be false, too.
 ///
 /// Errors: `usage` for a bad snapping distance. `cancelled` if options.go_on returns false. `invalid_input` if a
 /// coordinate, an index, a count or an area cap is unusable, if no segments enclose a domain, or if rounding the
