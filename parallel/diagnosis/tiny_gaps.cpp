@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 #include <vector>
 
+#include "../arithmetic/box.hpp"
 #include "../conversion/domain_triangulation.hpp"
 #include "../segments/reach.hpp"
 #include "find_gaps.hpp"
@@ -46,31 +48,19 @@ std::map<int, TinyGaps> tiny_gaps_by_scale(const ValidPslg& domain, const TinyDi
 
 void TinyDistances::add(const Pslg& pslg) {
   for (const Segment& s : pslg.segments)
-    if (s.a < pslg.points.size() && s.b < pslg.points.size()) add(Box::around(pslg.points[s.a], pslg.points[s.b]));
-  if (box_at_.empty())
-    for (const Point p : pslg.points) add(Box::around(p));
-}
-
-void TinyDistances::add(const Box& box) {
-  box_at_.try_emplace(std::ilogb(box.largest_magnitude()), empty_box).first->second.cover(box);
+    if (s.a < pslg.points.size() && s.b < pslg.points.size())
+      extents_.add(Box::around(pslg.points[s.a], pslg.points[s.b]));
+  if (extents_.empty())
+    for (const Point p : pslg.points) extents_.add(Box::around(p));
 }
 
 double TinyDistances::at(double scale) const {
-  const int power = std::ilogb(scale);
-  Box similar = empty_box;
-  for (auto at = box_at_.lower_bound(power - 1); at != box_at_.end() && at->first <= power + 1; ++at)
-    similar.cover(at->second);
-  return std::min(0x1p-30 * largest_like(scale), 1e-6 * std::max(0.0, similar.extent()));
-}
-
-double TinyDistances::largest_like(double scale) const {
-  const auto same = box_at_.find(std::ilogb(scale));
-  return same == box_at_.end() ? scale : same->second.largest_magnitude();
+  return std::min(0x1p-30 * largest_like(scale), 1e-6 * extents_.near(scale));
 }
 
 double TinyDistances::largest() const {
   double largest = 0;
-  for (const auto& [power, box] : box_at_) largest = std::max(largest, at(box.largest_magnitude()));
+  extents_.for_each_scale([&](double scale) { largest = std::max(largest, at(scale)); });
   return largest;
 }
 

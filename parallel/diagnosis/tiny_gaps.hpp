@@ -1,12 +1,10 @@
 // The gaps that a repair may close by default.
 #pragma once
 
-#include <map>
-
 #include "../../core/support/stop_signal.hpp"
-#include "../arithmetic/box.hpp"
 #include "../segments/snapping.hpp"
 #include "../validate.hpp"
+#include "extents_by_scale.hpp"
 
 namespace pardel::engine {
 
@@ -23,12 +21,10 @@ class TinyDistances {
   /// The largest one for a segment; without segments, for a point.
   [[nodiscard]] double largest() const;
   /// The largest scale with the same power of two; `scale` itself if no segment has such a scale.
-  [[nodiscard]] double largest_like(double scale) const;
+  [[nodiscard]] double largest_like(double scale) const { return extents_.largest_like(scale); }
 
  private:
-  void add(const Box& box);
-
-  std::map<int, Box> box_at_;  ///< of the segments of each scale, by its power of two; without segments, of the points
+  ExtentsByScale extents_;  ///< of the segments; without segments, of the points
 };
 
 /// Widens the snapping distances at the scales of tiny gaps, to close the narrowest of them. These gaps are much

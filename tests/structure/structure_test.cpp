@@ -69,6 +69,7 @@ const std::map<std::string, std::vector<std::string>> covering_tests = {
     {"input/findings", {"input/validate_test"}},
     {"construction/flood", {"construction/carve_test"}},
     {"construction/remove_triangles", {"construction/carve_test"}},
+    {"diagnosis/extents_by_scale", {"diagnosis/find_gaps_test", "input/repair_of_scales_test"}},
     {"diagnosis/tiny_gaps", {"input/repair_test", "input/repair_of_scales_test"}},
     {"divided_points/divided_background", {"divided_points/mesh_of_points_test"}},
     {"patches/border_edges", {"filling/filling_test"}},
