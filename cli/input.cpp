@@ -113,7 +113,7 @@ Result<MaybeRepaired, Refusal> validated_or_repaired(Domain domain, const Repair
   Result<Repaired> repaired = repair(valid ? valid->pslg() : domain.pslg, options);
   if (!repaired && repaired.error().kind == ErrorKind::usage) return Refusal(repaired.error());
   if (!repaired && valid) return Refusal(with_name(repaired.error(), domain.name));
-  if (valid && repaired->log.empty()) return MaybeRepaired{std::move(valid).value(), std::nullopt, {}, {}};
+  if (valid && repaired->log.empty()) return MaybeRepaired{std::move(repaired->domain), std::nullopt, {}, {}};
   if (!repaired) return refusal_of(domain, valid.error(), repaired.error());
   std::vector<std::string> log;
   for (const std::string& line : repaired->log) log.push_back(fmt::format("{}: repaired: {}", domain.name, line));

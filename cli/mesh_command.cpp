@@ -87,6 +87,7 @@ Result<Goal, Refusal> make_goal(const MeshArguments& arguments, const MeshInput&
   const auto with_sizes = [&](const ValidPslg& domain) -> Result<Goal, Refusal> {
     Result<Goal> goal = make_goal(arguments.goal, input.sizes, domain);
     if (!goal) return Refusal(goal.error());
+    goal->convex_hull = goal->convex_hull && domain.convex_hull();  // a repair may draw the hull as an outline
     return std::move(*goal);
   };
   if (const auto* domain = std::get_if<ValidPslg>(&input.source)) return with_sizes(*domain);

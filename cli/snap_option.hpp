@@ -17,9 +17,10 @@ inline void add_snap_option(CLI::App& app, std::optional<double>& snap, CLI::Opt
     if (CLI::detail::lexical_cast(text, value) && value >= 0 && std::isfinite(value)) return {};
     return fmt::format("'{}' is not a distance: a finite number, zero or greater", text);
   };
-  app.add_option("--snap", snap,
-                 "Close gaps smaller than this (default: 3.6e-12 of the largest coordinate of a segment, and up to\n"
-                 "9.3e-10 if there are gaps much narrower than the segments around them; 0: merge equal points only)")
+  app.add_option(
+         "--snap", snap,
+         "Close gaps smaller than this (default: 3.6e-12 of the largest coordinate of the segments at the gap,\n"
+         "and up to 9.3e-10 if it is much narrower than these segments; 0: merge equal points only)")
       ->check(check)
       ->type_name("LENGTH")
       ->needs(repair);

@@ -89,7 +89,7 @@ int fuzz_one(std::span<const std::uint8_t> bytes) {
   const Pslg& repaired = once->domain.pslg();
   if (const auto problems = find_problems(repaired, {.convex_hull = options.convex_hull}); !problems.empty())
     fail("the repaired domain is not valid: " + problems.front().message());
-  compare_with_repaired(before, *once, options.convex_hull);
+  compare_with_repaired(before, *once, options);
 
   if (options.snap) options.snap = once->snap;
   const Result<Repaired> twice = repair(repaired, options);

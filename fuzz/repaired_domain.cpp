@@ -17,11 +17,12 @@ namespace {
 /// The domain before and after the repair.
 class Comparison {
  public:
-  Comparison(const Pslg& before, const Repaired& repaired, bool convex_hull)
+  Comparison(const Pslg& before, const Repaired& repaired, const RepairOptions& options)
       : before_(before),
         repaired_(repaired),
         after_(repaired.domain.pslg()),
-        convex_hull_(convex_hull),
+        convex_hull_(options.convex_hull),
+        snap_is_given_(options.snap.has_value()),
         rounding_(0x1p-50 * largest_magnitude(before)) {}
 
   void judge() const {
@@ -42,7 +43,8 @@ class Comparison {
       if (to >= after_.points.size()) fail("the map of points leads to no point");
     if (repaired_.segment_map.size() != after_.segments.size()) fail("the map of segments has the wrong length");
     for (const Index from : repaired_.segment_map)
-      if (from >= before_.segments.size()) fail("the map of segments leads to no segment");
+      if (from >= before_.segments.size() && !(from == no_index && repaired_.snap > 0))
+        fail("the map of segments leads to no segment");
   }
 
   void check_moved_points() const {
@@ -86,6 +88,7 @@ class Comparison {
     for (Index s = 0; s < after_.segments.size(); ++s) {
       const Segment& piece = after_.segments[s];
       const Index old = repaired_.segment_map[s];
+      if (old == no_index) continue;
       if (!is_near(piece, old, bend()))
         fail("segment " + std::to_string(s) + " does not lie on segment " + std::to_string(old) + " of the old domain");
       if (!has_its_marker(piece, old))
@@ -109,10 +112,22 @@ class Comparison {
       fail("segment " + std::to_string(old) + " of the old domain is not covered by new ones");
   }
 
+  /// The least distance of two points at a place. Without a given distance it is a share of the coordinates there, or
+  /// more. The share is not known if some gaps were closed with larger distances.
+  [[nodiscard]] double least_distance_at(Point p) const {
+    if (snap_is_given_) return repaired_.snap * (1 - 0x1p-30) - rounding();
+    for (const double factor : {1.0, 0x1p-4, 0x1p-8, 0x1p-12}) {
+      const double snap = factor * default_snap(before_);
+      if (std::abs(repaired_.snap - snap) <= 0x1p-30 * snap)
+        return factor * 0x1p-38 * std::max(std::abs(p.x), std::abs(p.y)) * (1 - 0x1p-30) - rounding();
+    }
+    return 0;
+  }
+
   void check_gaps() const {
-    const double least = repaired_.snap * (1 - 0x1p-30) - rounding();
     for (Index p = 0; p < after_.points.size(); ++p) {
       const Point at = after_.points[p];
+      const double least = least_distance_at(at);
       for (Index q = 0; q < p; ++q)
         if (distance(at, after_.points[q]) < least)
           fail("points " + std::to_string(q) + " and " + std::to_string(p) + " are closer than the snapping distance");
@@ -200,7 +215,7 @@ class Comparison {
   const Pslg& before_;
   const Repaired& repaired_;
   const Pslg& after_;
-  bool convex_hull_;
+  bool convex_hull_, snap_is_given_;
   double rounding_;  ///< of a computed coordinate
 };
 
@@ -208,8 +223,8 @@ class Comparison {
 
 double Linear::slope() const { return std::hypot(by_x, by_y); }
 
-void compare_with_repaired(const Pslg& before, const Repaired& repaired, bool convex_hull) {
-  Comparison(before, repaired, convex_hull).judge();
+void compare_with_repaired(const Pslg& before, const Repaired& repaired, const RepairOptions& options) {
+  Comparison(before, repaired, options).judge();
 }
 
 }  // namespace pardel::fuzz

@@ -22,6 +22,6 @@ inline constexpr std::array<Linear, 2> linear_attributes{{{1, 0}, {-0.5, 0.25}}}
 /// says, pieces with the right markers that cover each segment, nothing closer than the snapping distance allows,
 /// attributes and markers of points, holes and regions. Precondition: the attributes of the old points are
 /// linear_attributes, and they have markers.
-void compare_with_repaired(const Pslg& before, const Repaired& repaired, bool convex_hull);
+void compare_with_repaired(const Pslg& before, const Repaired& repaired, const RepairOptions& options);
 
 }  // namespace pardel::fuzz

@@ -51,7 +51,6 @@ double closing_snap(std::span<const Gap> gaps) {
   constexpr double much_wider = 16;
   double widest = 0;
   for (const Gap& gap : gaps) {
-    if (gap.kind == GapKind::point_near_hull) continue;
     if (widest > 0 && gap.distance >= much_wider * widest) break;
     widest = gap.distance;
   }

@@ -43,15 +43,16 @@ inline constexpr double much_narrower = 1000;
 
 /// The gaps of a domain, narrowest first. A gap is narrower than a millionth of the extent of the domain, and a
 /// thousandth of its surroundings, unless these are a side of the convex hull; or it is narrower than 2^-32 of the
-/// larger coordinate there, which is a thousand times the shortest edge that the mesher makes there. Gaps outside the
-/// domain are not found, for example between the outlines of two parts of the domain that nearly touch. Each point is
-/// the first point of one gap at most. Errors and time: those of triangulate(). `threads`: 0 or less for as many as
-/// OpenMP offers.
+/// larger coordinate there, which is a thousand times the shortest edge that the mesher makes there. Of the domain only
+/// the segments count whose largest coordinates are about as large as those at the gap; without segments, such points.
+/// So nothing far away matters. Gaps outside the domain are not found, for example between the outlines of two parts of
+/// the domain that nearly touch. Each point is the first point of one gap at most. Errors and time: those of
+/// triangulate(). `threads`: 0 or less for as many as OpenMP offers.
 [[nodiscard]] Result<std::vector<Gap>> find_gaps(const ValidPslg& domain, int threads = 0);
 
 /// A snapping distance (RepairOptions::snap) that closes the narrowest gaps and leaves those open that are much wider:
-/// twice the distance of a gap, such that the next gap is at least 16 times as wide. Zero without gaps. Gaps at sides
-/// of the convex hull do not count, because repair cannot close them. Precondition: the narrowest gap is the first.
+/// twice the distance of a gap, such that the next gap is at least 16 times as wide. Zero without gaps. Precondition:
+/// the narrowest gap is the first.
 [[nodiscard]] double closing_snap(std::span<const Gap> gaps);
 
 }  // namespace pardel

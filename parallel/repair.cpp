@@ -7,10 +7,10 @@
 
 #include "concurrency/bounding_box.hpp"
 #include "conversion/guarded.hpp"
-#include "diagnosis/find_gaps.hpp"
 #include "diagnosis/narrowest_part.hpp"
-#include "gaps.hpp"
+#include "diagnosis/tiny_gaps.hpp"
 #include "input/repair_once.hpp"
+#include "segments/snapping.hpp"
 
 namespace pardel {
 
@@ -18,8 +18,10 @@ using namespace engine;
 
 namespace {
 
-/// The smallest box that contains all segments; without segments, all points; without points, the origin. A point can
-/// lie far outside of the segments, and says nothing about their precision.
+/// Of the scale of a gap.
+constexpr double default_share = 0x1p-38;
+
+/// The smallest box that contains all segments; without segments, all points; without points, the origin.
 Box box_around(const Pslg& pslg) {
   Box box = empty_box;
   for (const Segment& s : pslg.segments)
@@ -73,9 +75,12 @@ class AutomaticRepair {
     return stage;
   }
 
-  std::optional<Result<RepairStage>> once(double snap, const RepairStage* from) {
-    std::optional<Result<RepairStage>> stage = repair_once(pslg_, snap, convex_hull_, stop_, from);
-    if (!stage || !*stage) has_failed_ = true;
+  std::optional<Result<RepairStage>> once(const Snapping& snapping, const RepairStage* from) {
+    std::optional<Result<RepairStage>> stage = repair_once(pslg_, snapping, convex_hull_, stop_, from);
+    if (!stage || !*stage)
+      has_failed_ = true;
+    else
+      snapping_ = snapping;
     return stage;
   }
 
@@ -85,43 +90,26 @@ class AutomaticRepair {
   const Pslg& pslg_;
   bool convex_hull_;
   StopSignal& stop_;
+  Snapping snapping_ = 0;    ///< of the last step that did not fail
   bool has_failed_ = false;  ///< a step of this attempt
 };
 
-/// With the default snapping distance, or a smaller one if that fails. A smaller distance does not help against
-/// crossings that become more and more; then only zero is tried.
+/// With the default snapping distances, or smaller ones if those fail. Smaller distances do not help against crossings
+/// that become more and more; then only zero is tried.
 Result<RepairStage> AutomaticRepair::repair_roundings(const RepairStage* from) {
-  const double snap = default_snap(begin(from));
   for (const double factor : {1.0, 0x1p-4, 0x1p-8, 0x1p-12}) {
-    std::optional<Result<RepairStage>> stage = once(factor * snap, from);
+    std::optional<Result<RepairStage>> stage = once(Snapping::share_of_scale(factor * default_share), from);
     if (!stage) break;
     if (*stage) return std::move(*stage);
   }
   return once(0, from).value_or(tangled());
 }
 
-/// The gaps that repair may close by default: tiny, and much narrower than the segments around them. Small features,
-/// which consist of small segments, are not among them.
-std::vector<Gap> tiny_gaps(const ValidPslg& domain, double tiny, StopSignal& stop) {
-  const Threads one(1, &stop);
-  const Result<DomainTriangulation> triangulated = triangulate_domain(domain.pslg(), domain.convex_hull(), one);
-  if (!triangulated) return {};
-  std::vector<Gap> gaps = find_gaps(*triangulated, one);
-  std::erase_if(gaps, [&](const Gap& gap) {
-    return gap.kind == GapKind::point_near_hull || gap.distance > tiny ||
-           much_narrower * gap.distance > gap.surroundings;
-  });
-  return gaps;
-}
-
-/// Repairs with larger and larger snapping distances, until the result has no tiny gaps.
+/// Closes gaps with larger and larger snapping distances, each at its own scale, until the result has no tiny gaps.
 void AutomaticRepair::close_tiny_gaps(RepairStage& stage, const RepairStage* from) {
-  const double tiny = largest_default_snap(begin(from));
-  while (stage.repaired.snap < tiny) {
-    const std::vector<Gap> gaps = tiny_gaps(stage.repaired.domain, tiny, stop_);
-    if (gaps.empty()) break;
-    const double snap = std::min(tiny, std::max(closing_snap(gaps), 2 * stage.repaired.snap));
-    std::optional<Result<RepairStage>> wider = once(snap, from);
+  Snapping snapping = snapping_;
+  while (widen_to_tiny_gaps(snapping, begin(from), stage.repaired.domain, stop_)) {
+    std::optional<Result<RepairStage>> wider = once(snapping, from);
     if (!wider || !*wider) break;
     stage = std::move(**wider);
   }
@@ -129,12 +117,9 @@ void AutomaticRepair::close_tiny_gaps(RepairStage& stage, const RepairStage* fro
 
 }  // namespace
 
-double default_snap(const Pslg& pslg) { return 0x1p-38 * box_around(pslg).largest_magnitude(); }
+double default_snap(const Pslg& pslg) { return default_share * box_around(pslg).largest_magnitude(); }
 
-double largest_default_snap(const Pslg& pslg) {
-  const Box box = box_around(pslg);
-  return std::min(0x1p-30 * box.largest_magnitude(), 1e-6 * box.extent());
-}
+double largest_default_snap(const Pslg& pslg) { return TinyDistances(pslg).largest(); }
 
 Result<Repaired> repair(const Pslg& pslg, const RepairOptions& options) try {
   if (options.snap && !(*options.snap >= 0 && std::isfinite(*options.snap)))

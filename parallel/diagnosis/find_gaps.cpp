@@ -16,10 +16,14 @@
 #include "../concurrency/bounding_box.hpp"
 #include "../concurrency/parallel_arrays.hpp"
 #include "../triangulation/triangle_shape.hpp"
+#include "extents_by_scale.hpp"
 #include "straight_walk.hpp"
 
 namespace pardel::engine {
 namespace {
+
+/// Compared with the extent.
+constexpr double relatively_narrow = 1e-6;
 
 /// What is narrow in a domain.
 struct Narrow {
@@ -32,7 +36,7 @@ struct Narrow {
 
 Narrow narrow_in(const Array<Point>& points, const Threads& threads) {
   const Box box = bounding_box(threads, points.size(), [&](std::size_t i) { return points[i]; });
-  const double relatively = 1e-6 * box.extent();
+  const double relatively = relatively_narrow * box.extent();
   return {relatively, std::max(relatively, 0x1p-32 * box.largest_magnitude())};
 }
 
@@ -142,6 +146,56 @@ class GapSearch {
   std::vector<double> longest_;  ///< of the segments at each vertex
 };
 
+/// The extent of what has about the scale of a gap. Far points and large parts elsewhere do not count.
+class Neighbourhoods {
+ public:
+  explicit Neighbourhoods(const DomainTriangulation& domain)
+      : of_point_(domain.triangulation.points.size()), of_segment_(domain.segments.size()) {
+    const Triangulation& t = domain.triangulation;
+    for (Index s = 0; s < domain.segments.size(); ++s) {
+      if (domain.input_segment[s] == no_index) continue;
+      const DomainSegment& segment = domain.segments[s];
+      const Box box = Box::around(t.points[segment.a], t.points[segment.b]);
+      extents_.add(box);
+      of_segment_[s] = {domain.input_segment[s], box.largest_magnitude()};
+      for (const VertexId end : {segment.a, segment.b}) {
+        double& scale = of_point_[domain.input_of_vertex[end]];
+        scale = std::max(scale, box.largest_magnitude());
+      }
+    }
+    std::ranges::sort(of_segment_);
+    if (extents_.empty())
+      for (const Point p : t.points) extents_.add(Box::around(p));
+  }
+
+  [[nodiscard]] double extent_around(const Gap& gap) const {
+    double scale = scale_of_point(gap.points[0], gap.where);
+    if (gap.kind == GapKind::point_near_segment)
+      scale = std::min(scale, std::ranges::lower_bound(of_segment_, std::pair(gap.segment, 0.0))->second);
+    else
+      scale = std::min(scale, scale_of_point(gap.points[1], gap.where));
+    return extents_.near(scale);
+  }
+
+ private:
+  [[nodiscard]] double scale_of_point(Index point, Point near) const {
+    return of_point_[point] > 0 ? of_point_[point] : extents_.next_scale(Box::around(near).largest_magnitude());
+  }
+
+  ExtentsByScale extents_;                            ///< of the segments; without segments, of the points
+  std::vector<double> of_point_;                      ///< the largest scale of the segments at each input point
+  std::vector<std::pair<Index, double>> of_segment_;  ///< input segments and their scales
+};
+
+void remove_locally_wide(std::vector<Gap>& gaps, const DomainTriangulation& domain) {
+  const auto depends_on_extent = [](const Gap& gap) { return !(gap.distance < Narrow::always(gap.where)); };
+  if (std::ranges::none_of(gaps, depends_on_extent)) return;
+  const Neighbourhoods around(domain);
+  std::erase_if(gaps, [&](const Gap& gap) {
+    return depends_on_extent(gap) && gap.distance >= relatively_narrow * around.extent_around(gap);
+  });
+}
+
 }  // namespace
 
 std::vector<Gap> gaps_in_share(const DomainTriangulation& domain, Share share, const Threads& threads) {
@@ -165,11 +219,12 @@ std::vector<Gap> gaps_in_share(const DomainTriangulation& domain, Share share, c
   return all;
 }
 
-std::vector<Gap> narrowest_first(std::vector<Gap> gaps, std::size_t points) {
+std::vector<Gap> narrowest_first(std::vector<Gap> gaps, const DomainTriangulation& domain) {
+  remove_locally_wide(gaps, domain);
   std::ranges::sort(gaps, [](const Gap& g, const Gap& h) {
     return std::tie(g.distance, g.points, g.kind, g.segment) < std::tie(h.distance, h.points, h.kind, h.segment);
   });
-  std::vector<bool> is_named(points);
+  std::vector<bool> is_named(domain.triangulation.points.size());
   std::vector<Gap> chosen;
   for (Gap& gap : gaps) {
     if (is_named[gap.points[0]]) continue;
@@ -184,7 +239,7 @@ std::vector<Gap> narrowest_first(std::vector<Gap> gaps, std::size_t points) {
 }
 
 std::vector<Gap> find_gaps(const DomainTriangulation& domain, const Threads& threads) {
-  return narrowest_first(gaps_in_share(domain, {}, threads), domain.triangulation.points.size());
+  return narrowest_first(gaps_in_share(domain, {}, threads), domain);
 }
 
 }  // namespace pardel::engine

@@ -22,10 +22,10 @@ struct Share {
 /// been refined yet.
 [[nodiscard]] std::vector<Gap> gaps_in_share(const DomainTriangulation& domain, Share share, const Threads& threads);
 
-/// Sorts the gaps of all shares. Leaves out a gap if its first point, or of two close points either one, is in a
-/// narrower gap. `points`: the number of
-/// points of the input.
-[[nodiscard]] std::vector<Gap> narrowest_first(std::vector<Gap> gaps, std::size_t points);
+/// Sorts the gaps of all shares. Leaves out gaps that are not narrower than a millionth of the extent of the segments
+/// of about the same scale, unless they are always narrow, and a gap whose first point, or of two close points either
+/// one, is in a narrower gap.
+[[nodiscard]] std::vector<Gap> narrowest_first(std::vector<Gap> gaps, const DomainTriangulation& domain);
 
 /// As pardel::find_gaps(). Precondition: nothing has been refined yet. O(n) if few triangles are narrow.
 [[nodiscard]] std::vector<Gap> find_gaps(const DomainTriangulation& domain, const Threads& threads);

@@ -42,7 +42,7 @@ namespace pardel::engine {
                    gap.distance,
                    gap.surroundings,
                    gap.where});
-  return narrowest_first(std::move(all), domain.triangulation.points.size());
+  return narrowest_first(std::move(all), domain);
 }
 
 }  // namespace pardel::engine

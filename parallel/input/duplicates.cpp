@@ -4,11 +4,13 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <numeric>
 #include <utility>
 
 #include "../../core/array.hpp"
 #include "../../core/support/hash.hpp"
+#include "../arithmetic/box.hpp"
 #include "../arithmetic/distance.hpp"
 #include "../concurrency/parallel_arrays.hpp"
 
@@ -82,18 +84,31 @@ std::vector<Duplicate> find_duplicates(std::span<const Point> points, const Thre
 
 namespace {
 
-/// Points in square cells. Points of several cells can share a list, so the distance must be tested.
+/// Points of one level, which have similar reaches, in square cells. Points of several cells can share a list, so the
+/// distance must be tested.
 class CellLists {
  public:
-  /// Coordinates divided by the width must be smaller than 2^51.
-  CellLists(std::size_t points, double width)
-      : width_(width), first_(std::bit_ceil(2 * points + 1), no_index), next_(points) {}
+  /// Announces a point that may be inserted.
+  void expect(Point p, double reach) {
+    ++points_;
+    reach_ = std::max(reach_, reach);
+    largest_ = std::max(largest_, Box::around(p).largest_magnitude());
+  }
+  /// The width of cells ensures that a coordinate divided by it has an integer part of fewer than 53 bits. Cells are
+  /// wider than the reach, so that most points have their whole neighbourhood in one cell.
+  void allocate(std::vector<Index>& next) {
+    next_ = next;
+    width_ = std::max(8 * reach_, 0x1p-50 * largest_);
+    first_.assign(std::bit_ceil(2 * points_ + 1), no_index);
+  }
 
   void insert(Index i, Point p) { next_[i] = std::exchange(first_[list_of(cell(p.x), cell(p.y))], i); }
 
-  /// Calls visit(i) at least for the inserted points closer to p than `distance`, which must be at most the width.
+  /// Calls visit(i) at least for the inserted points in reach of p, which is at most `reach`.
   template <class Visit>
-  void for_each_near(Point p, double distance, const Visit& visit) const {
+  void for_each_near(Point p, double reach, const Visit& visit) const {
+    const double distance = std::min(reach, reach_);
+    if (Box::around(p).largest_magnitude() > 2 * (largest_ + distance)) return;
     // Cells are whole numbers, small enough that adding 1 is exact.
     for (double x = cell(p.x - distance); x <= cell(p.x + distance); ++x)    // NOLINT(*-FloatLoopCounter)
       for (double y = cell(p.y - distance); y <= cell(p.y + distance); ++y)  // NOLINT(*-FloatLoopCounter)
@@ -101,32 +116,42 @@ class CellLists {
   }
 
  private:
-  [[nodiscard]] double cell(double coordinate) const { return std::floor(coordinate / width_); }
+  [[nodiscard]] double cell(double coordinate) const { return width_ > 0 ? std::floor(coordinate / width_) : 0; }
   [[nodiscard]] std::size_t list_of(double x, double y) const { return hash_of(Point{x, y}) & (first_.size() - 1); }
 
-  double width_;
-  std::vector<Index> first_, next_;
+  std::size_t points_ = 0;
+  double reach_ = 0, largest_ = 0, width_ = 0;
+  std::vector<Index> first_;
+  std::span<Index> next_;
 };
+
+/// Scales that differ by less than a factor of 256 are on one level: then cells are small enough for all its points.
+int level_of(double scale) {
+  constexpr int powers_per_level = 8;
+  return static_cast<int>(std::floor(std::ilogb(scale) / static_cast<double>(powers_per_level)));
+}
 
 }  // namespace
 
-std::vector<Duplicate> find_close(std::span<const Point> points, double distance, StopSignal* stop) {
+std::vector<Duplicate> find_close(std::span<const Point> points, const Reach& reach, StopSignal* stop) {
   SparseAsk ask(stop);
-  // The width ensures that a coordinate divided by it has an integer part of fewer than 53 bits. Cells are wider than
-  // the distance, so that most points have their whole neighbourhood in one cell.
-  double width = 8 * distance;
-  for (const Point& p : points) width = std::max(width, 0x1p-50 * std::max(std::abs(p.x), std::abs(p.y)));
-  CellLists kept(points.size(), width);
+  std::map<int, CellLists> levels;
+  for (Index i = 0; i < points.size(); ++i)
+    levels[level_of(reach.scale_of_point(i))].expect(points[i], reach.farthest(reach.scale_of_point(i)));
+  std::vector<Index> next(points.size());
+  for (auto& [level, kept] : levels) kept.allocate(next);
   std::vector<Duplicate> duplicates;
   for (Index i = 0; i < points.size(); ++i) {
     ask();
     const Point p = points[i];
+    const double scale = reach.scale_of_point(i), farthest = reach.farthest(scale);
     Index first = no_index;
-    kept.for_each_near(p, distance, [&](Index j) {
-      if (points[j] == p || engine::distance(points[j], p) < distance) first = std::min(first, j);
-    });
+    for (const auto& [level, kept] : levels)
+      kept.for_each_near(p, farthest, [&](Index j) {
+        if (points[j] == p || distance(points[j], p) < reach.between_points(i, j)) first = std::min(first, j);
+      });
     if (first == no_index)
-      kept.insert(i, p);
+      levels[level_of(scale)].insert(i, p);
     else
       duplicates.push_back({first, i});
   }

@@ -7,6 +7,7 @@
 
 #include "../../core/pslg.hpp"
 #include "../concurrency/threads.hpp"
+#include "../segments/reach.hpp"
 
 namespace pardel::engine {
 
@@ -22,11 +23,12 @@ struct Duplicate {
 /// gets a hash table of its own. The parts are processed in parallel.
 [[nodiscard]] std::vector<Duplicate> find_duplicates(std::span<const Point> points, const Threads& threads = {});
 
-/// Points are visited in ascending order. A point that is equal to an earlier point, or closer to it than `distance`
-/// (> 0, finite), becomes a duplicate of the earlier point, unless the earlier point is a duplicate itself. If there
-/// are several such earlier points, the one with the lowest index is used. So all points that are not duplicates are at
-/// least `distance` apart. Precondition: coordinates are in the range of the predicates. Expected time O(n).
-[[nodiscard]] std::vector<Duplicate> find_close(std::span<const Point> points, double distance,
+/// Points are visited in ascending order. A point that is equal to an earlier point, or closer to it than `reach`
+/// allows, becomes a duplicate of the earlier point, unless the earlier point is a duplicate itself. If there are
+/// several such earlier points, the one with the lowest index is used. So no two points that are not duplicates are in
+/// reach of each other. Preconditions: coordinates are in the range of the predicates; `reach` knows these points.
+/// Expected time O(n) if points in reach of each other are few and scales differ little.
+[[nodiscard]] std::vector<Duplicate> find_close(std::span<const Point> points, const Reach& reach,
                                                 StopSignal* stop = nullptr);
 
 /// A segment and its ends; `low` is the smaller index.

@@ -54,6 +54,7 @@ Moved bent_segments(const Pslg& old, const Work& work, const std::vector<bool>& 
   std::vector<double> distance(old.segments.size());
   for (std::size_t s = 0; s < work.source.size(); ++s) {
     ask();
+    if (work.source[s] == no_index) continue;
     const Segment& whole = old.segments[work.source[s]];
     const Point a = old.points[whole.a], b = old.points[whole.b];
     const double rounding = 0x1p-50 * Box::around(a, b).largest_magnitude();
@@ -73,8 +74,12 @@ Moved bent_segments(const Pslg& old, const Work& work, const std::vector<bool>& 
 std::vector<std::string> summary(const Pslg& old, const Work& work, const std::vector<bool>& is_old) {
   const auto kept = static_cast<std::size_t>(std::ranges::count(is_old, true));
   std::vector<Index> pieces(old.segments.size());
-  for (const Index s : work.source) ++pieces[s];
-  std::size_t without_length = 0, covered = 0, split_up = 0;
+  std::size_t without_length = 0, covered = 0, split_up = 0, of_hull = 0;
+  for (const Index s : work.source)
+    if (s == no_index)
+      ++of_hull;
+    else
+      ++pieces[s];
   for (std::size_t s = 0; s < pieces.size(); ++s) {
     if (pieces[s] > 1) ++split_up;
     if (pieces[s] > 0) continue;
@@ -89,6 +94,7 @@ std::vector<std::string> summary(const Pslg& old, const Work& work, const std::v
   note(without_length, "Segments without length dropped");
   note(covered, "Segments dropped that others cover");
   note(split_up, "Segments split where they cross others or have points inside them");
+  note(of_hull, "Segments added as the outline, because points are near sides of the convex hull");
   return log;
 }
 
@@ -119,12 +125,13 @@ class Seeds {
  public:
   Seeds(Work& work, SeedRecord& record, StopSignal& stop) : work_(work), record_(record), stop_(stop) {}
 
-  /// Drops those closer than `snap` to a segment.
-  void drop_near_segments(double snap) {
+  /// Drops those closer to a segment than the snapping distance.
+  void drop_near_segments(const Snapping& snapping) {
     Pslg& pslg = work_.pslg;
     const std::vector<Point> seeds = seeds_of(pslg);
+    const Reach reach(snapping, pslg.points, pslg.segments);
     const SweepInput input{
-        .points = pslg.points, .segments = pslg.segments, .queries = seeds, .reach = snap, .stop = &stop_};
+        .points = pslg.points, .segments = pslg.segments, .queries = seeds, .reach = &reach, .stop = &stop_};
     std::vector<Index> holes, regions;
     for (const NearPoint& near : find_near_points(input, sweep_plane(input))) {
       if (near.point < pslg.points.size()) continue;
@@ -168,6 +175,10 @@ class Seeds {
         }
         p.ids[0] = (of_hole ? record_.hole_source : record_.region_source)[p.ids[0]];
         if (p.ids.size() > 1) p.ids[1] = (of_hole || of_region ? work_.source : record_.region_source)[p.ids[1]];
+        if (p.ids.size() > 1 && p.ids[1] == no_index) {  // on a side of the hull
+          p.kind = of_hole ? ProblemKind::hole_outside : ProblemKind::region_outside;
+          p.ids.pop_back();
+        }
         record_.dropped.push_back("Dropped: " + p.message(work_.pslg.first_id.value));
       }
       if (!rest.empty()) return rest;
@@ -204,28 +215,31 @@ std::vector<Problem> find_unusable_values(const Pslg& pslg, StopSignal& stop) {
   return std::move(found).sorted();
 }
 
-std::optional<Result<RepairStage>> repair_once(const Pslg& pslg, double snap, bool convex_hull, StopSignal& stop,
-                                               const RepairStage* from) {
+std::optional<Result<RepairStage>> repair_once(const Pslg& pslg, const Snapping& snapping, bool convex_hull,
+                                               StopSignal& stop, const RepairStage* from) {
   Work work = from == nullptr
                   ? Work{pslg, identity_map(pslg.points.size()), identity_map(pslg.segments.size())}
                   : Work{from->repaired.domain.pslg(), from->repaired.point_map, from->repaired.segment_map};
   SeedRecord record = from == nullptr
                           ? SeedRecord{identity_map(pslg.holes.size()), identity_map(pslg.regions.size()), {}}
                           : from->seeds;
-  if (!untangle(work, snap, stop)) return std::nullopt;
+  const double largest_snap = Reach(snapping, work.pslg.points, work.pslg.segments).largest();
+  if (!untangle(work, snapping, stop)) return std::nullopt;
+  const bool is_hull = convex_hull || work.pslg.segments.empty();
+  const bool is_outline_drawn = is_hull && draw_hull_if_points_are_near(work, snapping, stop);
 
   const std::vector<bool> is_old = images_of_points(work);
   SparseAsk ask(&stop);
   const Moved points = moved_points(pslg, work, ask), segments = bent_segments(pslg, work, is_old, ask);
   Seeds seeds(work, record, stop);
-  if (points.count + segments.count > 0) seeds.drop_near_segments(snap);
+  if (points.count + segments.count > 0 || is_outline_drawn) seeds.drop_near_segments(snapping);
   std::vector<std::string> log = summary(pslg, work, is_old);
-  note_moves(pslg, snap, points, segments, log);
-  Result<ValidPslg, std::vector<Problem>> domain = seeds.drop_misplaced(convex_hull);
+  note_moves(pslg, largest_snap, points, segments, log);
+  Result<ValidPslg, std::vector<Problem>> domain = seeds.drop_misplaced(convex_hull && !is_outline_drawn);
   if (!domain) return Error{ErrorKind::invalid_input, messages(domain.error(), pslg.first_id.value)};
   log.insert(log.end(), record.dropped.begin(), record.dropped.end());
   return RepairStage{Repaired{std::move(domain).value(), std::move(work.point_map), std::move(work.source),
-                              std::move(log), snap, points, segments},
+                              std::move(log), largest_snap, points, segments},
                      std::move(record)};
 }
 

@@ -1,4 +1,4 @@
-// Repair with a given snapping distance.
+// Repair with given snapping distances.
 #pragma once
 
 #include <optional>
@@ -7,6 +7,7 @@
 
 #include "../../core/support/stop_signal.hpp"
 #include "../repair.hpp"
+#include "../segments/snapping.hpp"
 
 namespace pardel::engine {
 
@@ -25,10 +26,11 @@ struct RepairStage {
   SeedRecord seeds;
 };
 
-/// As repair() with the snapping distance `snap`. Nothing if splitting the segments where they meet makes ever more
-/// crossings. `from`: an earlier stage of the same Pslg, which is repaired further; null: the Pslg itself. The maps,
-/// the log and the distances are those from the Pslg to the result. Precondition: there are no unusable values.
-[[nodiscard]] std::optional<Result<RepairStage>> repair_once(const Pslg& pslg, double snap, bool convex_hull,
-                                                             StopSignal& stop, const RepairStage* from = nullptr);
+/// As repair() with the snapping distances `snapping`. Nothing if splitting the segments where they meet makes ever
+/// more crossings. `from`: an earlier stage of the same Pslg, which is repaired further; null: the Pslg itself. The
+/// maps, the log and the distances are those from the Pslg to the result. Precondition: there are no unusable values.
+[[nodiscard]] std::optional<Result<RepairStage>> repair_once(const Pslg& pslg, const Snapping& snapping,
+                                                             bool convex_hull, StopSignal& stop,
+                                                             const RepairStage* from = nullptr);
 
 }  // namespace pardel::engine

@@ -2,21 +2,25 @@
 // they meet. A crossing is rounded to a point. The pieces therefore deviate slightly from the segment and can meet
 // other segments again, so several rounds are needed. If many segments pass very close to one point, each round can
 // cause more crossings than it removes. Then the repair starts again and rounds crossings to a lattice: first one finer
-// than the last place of the largest coordinate, then coarser and coarser ones. This is Hobby's snap rounding (1999),
-// except that given points move only by merging. With a snapping distance, a segment is also bent to the points near
-// it, and bent again if it then comes near other points: iterated snap rounding (Halperin and Packer, 2002).
+// than the last place of the larger coordinate there, then coarser and coarser ones. This is Hobby's snap rounding
+// (1999), except that given points move only by merging. With a snapping distance, a segment is also bent to the points
+// near it, and bent again if it then comes near other points: iterated snap rounding (Halperin and Packer, 2002).
 #include "untangle.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <span>
 #include <utility>
 
+#include "../arithmetic/box.hpp"
 #include "../arithmetic/distance.hpp"
+#include "../arithmetic/predicates.hpp"
 #include "../segments/conflicts.hpp"
 #include "../segments/plane_sweep.hpp"
+#include "../segments/reach.hpp"
 #include "duplicates.hpp"
 
 namespace pardel::engine {
@@ -26,9 +30,32 @@ namespace {
 /// them needless, because points are then farther from each other than the spacing.
 constexpr std::array<double, 6> lattice_units{0, 0x1p-52, 0x1p-49, 0x1p-46, 0x1p-43, 0x1p-40};
 
-Point on_lattice(Point p, double unit) {
-  return unit > 0 ? Point{std::round(p.x / unit) * unit, std::round(p.y / unit) * unit} : p;
-}
+/// A lattice whose spacing depends on the place: it is a share of the largest coordinate among the ends of segments
+/// that lie in the same power of two as the larger coordinate of the place.
+class Lattice {
+ public:
+  Lattice(const Pslg& pslg, double unit) : unit_(unit) {
+    if (unit == 0) return;
+    for (const Segment& s : pslg.segments)
+      for (const Index end : {s.a, s.b}) {
+        const double magnitude = Box::around(pslg.points[end]).largest_magnitude();
+        double& largest = largest_[std::ilogb(magnitude)];
+        largest = std::max(largest, magnitude);
+      }
+  }
+
+  [[nodiscard]] Point nearest(Point p) const {
+    if (unit_ == 0 || p == Point{}) return p;
+    const int power = std::ilogb(Box::around(p).largest_magnitude());
+    const auto of_ends = largest_.find(power);
+    const double spacing = unit_ * (of_ends == largest_.end() ? std::ldexp(1, power) : of_ends->second);
+    return {snapped(std::round(p.x / spacing) * spacing), snapped(std::round(p.y / spacing) * spacing)};
+  }
+
+ private:
+  double unit_;
+  std::map<int, double> largest_;  ///< by power of two
+};
 
 /// Removes the duplicates from the points and renumbers the ends of segments.
 void merge(Work& work, std::span<const Duplicate> duplicates, StopSignal& stop) {
@@ -142,8 +169,8 @@ struct Splits {
 };
 
 /// Overlaps need no split of their own: an end of one segment is a point on the other.
-void split_at_conflicts(Pslg& pslg, std::span<const Conflict> conflicts, double unit, Splits& splits,
-                        StopSignal& stop) {
+void split_at_conflicts(Pslg& pslg, std::span<const Conflict> conflicts, const Lattice& lattice, Reach& reach,
+                        Splits& splits, StopSignal& stop) {
   SparseAsk ask(&stop);
   for (const Conflict& c : conflicts) {
     ask();
@@ -152,8 +179,9 @@ void split_at_conflicts(Pslg& pslg, std::span<const Conflict> conflicts, double 
       splits.segment_and_point.emplace_back(c.second, c.first);
       continue;
     }
-    const Point place = on_lattice(place_of(c, pslg.points, pslg.segments), unit);
+    const Point place = lattice.nearest(place_of(c, pslg.points, pslg.segments));
     const Index point = add_point(pslg, place, pslg.segments[c.first]);
+    reach.add_crossing(c.first, c.second);
     splits.segment_and_point.emplace_back(c.first, point);
     splits.segment_and_point.emplace_back(c.second, point);
   }
@@ -162,7 +190,7 @@ void split_at_conflicts(Pslg& pslg, std::span<const Conflict> conflicts, double 
 
 /// Finds the conflicts, and the points near a segment, to which the segment is bent. So a segment touches a point
 /// before it could pass over the point. The search for conflicts ends when it has found `most` of one kind.
-Splits find_splits(Pslg& pslg, double snap, double unit, std::size_t most, StopSignal& stop) {
+Splits find_splits(Pslg& pslg, Reach& reach, const Lattice& lattice, std::size_t most, StopSignal& stop) {
   std::vector<bool> is_end(pslg.points.size());
   for (const Segment& s : pslg.segments) is_end[s.a] = is_end[s.b] = true;
   std::vector<Index> loose;
@@ -172,29 +200,30 @@ Splits find_splits(Pslg& pslg, double snap, double unit, std::size_t most, StopS
                          .segments = pslg.segments,
                          .candidates = loose,
                          .most = most,
-                         .reach = snap,
+                         .reach = &reach,
                          .stop = &stop};
   const Swept swept = sweep_plane(input);
   Splits splits;
-  if (snap > 0) {
+  if (!reach.is_zero()) {
     for (const NearPoint& near : find_near_points(input, swept))
       splits.segment_and_point.emplace_back(near.segment, near.point);
     splits.conflicts = splits.segment_and_point.size();
   }
-  split_at_conflicts(pslg, swept.conflicts, unit, splits, stop);
+  split_at_conflicts(pslg, swept.conflicts, lattice, reach, splits, stop);
   return splits;
 }
 
 /// Performs one round. Returns the number of conflicts before the round, and of points merged after the splits. It is
 /// zero if segments meet only at common ends, and no other points are close. Segments are split before points are
 /// merged: a segment holds on to the points near it before its ends move.
-std::size_t resolve(Work& work, double snap, double unit, std::size_t most, StopSignal& stop) {
+std::size_t resolve(Work& work, const Snapping& snapping, const Lattice& lattice, std::size_t most, StopSignal& stop) {
   merge(work, find_duplicates(work.pslg.points, {1, &stop}), stop);
   drop_surplus_segments(work, stop);
-  Splits splits = find_splits(work.pslg, snap, unit, most, stop);
+  Reach reach(snapping, work.pslg.points, work.pslg.segments);
+  Splits splits = find_splits(work.pslg, reach, lattice, most, stop);
   if (splits.conflicts > 0) split(work, std::move(splits.segment_and_point), stop);
-  if (snap == 0) return splits.conflicts;
-  const std::vector<Duplicate> close = find_close(work.pslg.points, snap, &stop);
+  if (snapping.is_zero()) return splits.conflicts;
+  const std::vector<Duplicate> close = find_close(work.pslg.points, reach, &stop);
   merge(work, close, stop);
   return splits.conflicts + close.size();
 }
@@ -202,13 +231,13 @@ std::size_t resolve(Work& work, double snap, double unit, std::size_t most, Stop
 /// Performs rounds until there is no conflict. Returns false if the number of conflicts does not halve within
 /// `patience` rounds, or more than doubles. Even a single conflict can take several rounds, because its pieces can
 /// cross another segment one rounding away.
-bool untangle_with(Work& work, double snap, double unit, StopSignal& stop) {
+bool untangle_with(Work& work, const Snapping& snapping, const Lattice& lattice, StopSignal& stop) {
   constexpr int patience = 8;
   constexpr std::size_t unbounded = std::numeric_limits<std::size_t>::max();
   std::size_t fewest = unbounded, too_many = unbounded;
   int rounds = 0;  // since the number was halved
   while (true) {
-    const std::size_t conflicts = resolve(work, snap, unit, too_many, stop);
+    const std::size_t conflicts = resolve(work, snapping, lattice, too_many, stop);
     if (conflicts == 0) return true;
     if (conflicts <= fewest / 2) {
       fewest = conflicts;
@@ -222,14 +251,12 @@ bool untangle_with(Work& work, double snap, double unit, StopSignal& stop) {
 
 }  // namespace
 
-bool untangle(Work& work, double snap, StopSignal& stop) {
-  double largest = 0;
-  for (const Point& p : work.pslg.points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+bool untangle(Work& work, const Snapping& snapping, StopSignal& stop) {
   const Work begin = work;
-  const std::span<const double> units = std::span(lattice_units).first(snap > 0 ? 1 : lattice_units.size());
+  const std::span<const double> units = std::span(lattice_units).first(snapping.is_zero() ? lattice_units.size() : 1);
   return std::ranges::any_of(units, [&](double unit) {
     work = begin;
-    return untangle_with(work, snap, unit * largest, stop);
+    return untangle_with(work, snapping, Lattice(begin.pslg, unit), stop);
   });
 }
 

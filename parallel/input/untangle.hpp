@@ -5,6 +5,7 @@
 
 #include "../../core/pslg.hpp"
 #include "../../core/support/stop_signal.hpp"
+#include "../segments/snapping.hpp"
 
 namespace pardel::engine {
 
@@ -15,9 +16,16 @@ struct Work {
   std::vector<Index> source;     ///< segment -> old segment
 };
 
-/// Changes the points and segments until segments meet only at common ends and contain no other point. With a positive
-/// `snap`, no two points are then closer than `snap`, and no point is closer than half of `snap` to a segment that does
-/// not end there. Returns false if this fails. Asks `stop`.
-[[nodiscard]] bool untangle(Work& work, double snap, StopSignal& stop);
+/// Changes the points and segments until segments meet only at common ends and contain no other point. Unless
+/// `snapping` is zero, no two points are then closer than it allows at their scales (Reach), and no point is closer
+/// than half of that to a segment that does not end there. Returns false if this fails. Asks `stop`.
+[[nodiscard]] bool untangle(Work& work, const Snapping& snapping, StopSignal& stop);
+
+/// Rounding puts points on a straight boundary a little inside of the convex hull. No flat triangle between such a
+/// point and the side of the hull helps anybody. So the sides become segments, which are bent to the points near them,
+/// and the domain ends at these segments. Their source is no_index. Changes nothing and returns false if no point is
+/// near a side, if all points lie on a line, or if the segments cannot be untangled. Precondition: `work` is untangled
+/// with the same snapping distances.
+[[nodiscard]] bool draw_hull_if_points_are_near(Work& work, const Snapping& snapping, StopSignal& stop);
 
 }  // namespace pardel::engine

@@ -66,7 +66,7 @@ class PlaneSweep {
     exchange_crossings_before(events_[event].place);
     find_edges_through(event);
     locate_sites(event);
-    if (input_.reach > 0) add_near_segments(event);
+    if (input_.reach != nullptr && !input_.reach->is_zero()) add_near_segments(event);
     make_continuing(event);
     add_conflicts_at(event);
     replace_edges();
@@ -157,23 +157,31 @@ class PlaneSweep {
   /// Walks up and down along the sweep line. The distance along the line grows from edge to edge, and it is at most
   /// 1.42 times the distance from an edge that is not steeper than a diagonal.
   void add_near_segments(Index event) {
-    const Point p = events_[event].place;
-    const auto is_in_reach = [&](Index node) {
-      return node != no_index && distance_along_line(edges_[status_.edge(node)], p) < 1.5 * input_.reach;
-    };
-    for (Index node = below_; is_in_reach(node); node = status_.previous(node)) add_if_near(event, status_.edge(node));
-    for (Index node = above_; is_in_reach(node); node = status_.next(node)) add_if_near(event, status_.edge(node));
+    for (Index i = events_[event].first_site; i < events_[event + 1].first_site; ++i) {
+      const SweepSite& site = sites_[i];
+      const double scale = scale_of(site), farthest = input_.reach->farthest(scale);
+      const auto is_in_reach = [&](Index node) {
+        return node != no_index && distance_along_line(edges_[status_.edge(node)], site.place) < 1.5 * farthest;
+      };
+      for (Index node = below_; is_in_reach(node); node = status_.previous(node))
+        add_if_near(site, scale, status_.edge(node));
+      for (Index node = above_; is_in_reach(node); node = status_.next(node))
+        add_if_near(site, scale, status_.edge(node));
+    }
+  }
+  [[nodiscard]] double scale_of(const SweepSite& site) const {
+    return site.id < input_.points.size() ? input_.reach->scale_of_point(site.id)
+                                          : input_.reach->scale_of_place(site.place);
   }
   double distance_along_line(const Edge& edge, Point p) {
     return std::abs(side(edge, p)) / (edge.right.x - edge.left.x);
   }
-  void add_if_near(Index event, Index e) {
+  void add_if_near(const SweepSite& site, double scale, Index e) {
     const Edge& edge = edges_[e];
-    const Point p = events_[event].place;
-    if (!sees_widely(p, edge)) return;
-    if (std::abs(side(edge, p)) / distance(edge.left, edge.right) >= input_.reach) return;
-    for (Index i = events_[event].first_site; i < events_[event + 1].first_site; ++i)
-      found_.near.push_back({sites_[i].id, edge.segment});
+    if (!sees_widely(site.place, edge)) return;
+    const double reach = input_.reach->between(scale, input_.reach->scale_of_segment(edge.segment));
+    if (std::abs(side(edge, site.place)) / distance(edge.left, edge.right) < reach)
+      found_.near.push_back({site.id, edge.segment});
   }
 
   /// Collects the edges that continue to the right of the place of the event, from below. Edges with the same direction

@@ -11,6 +11,7 @@
 #include "../../core/pslg.hpp"
 #include "../../core/support/stop_signal.hpp"
 #include "conflicts.hpp"
+#include "reach.hpp"
 
 namespace pardel::engine {
 
@@ -27,9 +28,10 @@ struct SweepInput {
   /// The sweep ends as soon as it has found this number of conflicts of one kind.
   std::size_t most = std::numeric_limits<std::size_t>::max();
   /// A point is near a segment if it is closer than this, and sees the segment at an angle of more than 120 degrees.
-  /// Zero: none. So the point is not near in this sense if it is close to an end only. A point that is as far as the
-  /// reach from both ends, and not near, is at least half as far from the segment.
-  double reach = 0;
+  /// Null: none. So the point is not near in this sense if it is close to an end only. A point that is as far as the
+  /// reach from both ends, and not near, is at least half as far from the segment. Queries count as points without
+  /// segments.
+  const Reach* reach = nullptr;
   StopSignal* stop = nullptr;  ///< ends the sweep with an exception
 };
 

@@ -51,6 +51,25 @@ TEST(Gaps, of_three_points_in_a_row_name_the_narrowest_pair_and_not_the_point_th
   EXPECT_EQ(chain[0].points, (std::vector<Index>{5, 6}));
 }
 
+TEST(Gaps, are_the_same_beside_a_far_point_and_a_huge_part_of_the_domain) {
+  for (const double width : {1e-5, 1e-7}) {
+    Pslg pslg = square_with({{0.2, width}, {0.8, width}});
+    pslg.segments.push_back({4, 5});
+    const auto widths_of = [](const Pslg& domain) {
+      std::vector<double> widths;
+      for (const Gap& gap : gaps_of(domain)) widths.push_back(gap.distance);
+      return widths;
+    };
+    const std::vector<double> alone = widths_of(pslg);
+    EXPECT_EQ(alone.size(), width < 1e-6 ? 2 : 0);
+    Pslg far = pslg;
+    far.points.push_back({1e6, 1e6});
+    EXPECT_EQ(widths_of(far), alone);
+    add_square(pslg, 0x1p50, {2, 2});
+    EXPECT_EQ(widths_of(pslg), alone);
+  }
+}
+
 TEST(Gaps, are_a_point_beside_a_segment) {
   for (const double y : {0x1p-25, 0x1p-45}) {
     const std::vector<Gap> gaps = gaps_of(square_with({{0.25, y}}));
@@ -100,7 +119,7 @@ TEST(Gaps, are_a_point_beside_the_convex_hull) {
   EXPECT_EQ(gaps[0].kind, GapKind::point_near_hull);
   EXPECT_EQ(gaps[0].points.size(), 3);
   EXPECT_EQ(gaps[0].points[0], 3);
-  EXPECT_EQ(closing_snap(gaps), 0);
+  EXPECT_EQ(closing_snap(gaps), 0x1p-43);
 }
 
 TEST(Gaps, are_not_random_points_that_happen_to_lie_near_a_side_of_the_convex_hull) {
@@ -118,7 +137,7 @@ TEST(Gaps, are_not_the_distances_between_points_that_are_dense_in_a_place) {
 TEST(Gaps, are_two_points_that_nearly_touch_where_points_are_dense) {
   std::vector<Point> points = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
   for (int i = 0; i < 400; ++i) points.push_back({1e-5 * (i % 20), 1e-5 * (i / 20 + 0.1 * (i % 2))});
-  points.push_back({1e-5 * 7, 1e-5 * 5.1 + 1e-9});  // beside point 4 + 107
+  points.push_back({1e-5 * 7, 1e-5 * 5.1 + 1e-10});  // beside point 4 + 107
   const std::vector<Gap> gaps = gaps_of(points_only(points));
   ASSERT_EQ(gaps.size(), 1);
   EXPECT_EQ(gaps[0].points, (std::vector<Index>{111, 404}));

@@ -24,8 +24,16 @@ TEST(Duplicates, are_found_among_many_points) {
 
 TEST(Duplicates, include_points_closer_than_a_distance_across_cells) {
   const std::vector<Point> points{{0.99, 0}, {1.01, 0}, {2.02, 0}, {0, 0}, {1.5, 0}};
-  EXPECT_EQ(find_close(points, 1), (std::vector<Duplicate>{{0, 1}, {0, 3}, {0, 4}}));
-  EXPECT_TRUE(find_close(points, 1e-300).empty());
+  const auto closer_than = [&](double distance) { return find_close(points, Reach(distance, points, {})); };
+  EXPECT_EQ(closer_than(1), (std::vector<Duplicate>{{0, 1}, {0, 3}, {0, 4}}));
+  EXPECT_TRUE(closer_than(1e-300).empty());
+}
+
+TEST(Duplicates, are_closer_than_a_share_of_the_smaller_of_both_scales) {
+  const std::vector<Point> points{{0, 0}, {0x1p60, 0}, {0x1p60, 0x1p29}, {0, 0x1p20}, {-1, 0}, {-1, 0x1p-31}, {2, 0}};
+  const std::vector<Segment> segments{{0, 1}, {3, 2}, {4, 6}, {5, 6}, {3, 4}};
+  const Reach reach(Snapping::share_of_scale(0x1p-30), points, segments);
+  EXPECT_EQ(find_close(points, reach), (std::vector<Duplicate>{{1, 2}, {4, 5}}));
 }
 
 TEST(Duplicates, of_segments_are_found_in_the_order_of_all_ends) {

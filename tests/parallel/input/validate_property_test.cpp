@@ -14,6 +14,7 @@
 #include "../../../parallel/segments/conflicts.hpp"
 #include "../../../parallel/segments/faces.hpp"
 #include "../../../parallel/segments/plane_sweep.hpp"
+#include "../../../parallel/segments/reach.hpp"
 #include "../../../parallel/validate.hpp"
 #include "../../../properties/theorems/framework/property.hpp"
 #include "../../../properties/theorems/framework/shares.hpp"
@@ -315,22 +316,26 @@ Pslg some_torn_mess(Exhibit& exhibit) {
 constexpr const char* torn_messes = "the same, with ends torn apart by a few roundings";
 
 PARDEL_PROPERTY(Repair, by_default_closes_all_tiny_gaps_and_then_changes_nothing,
-                {.statement = "after repair with the default snapping distance, no two points are closer than the "
-                              "distance, no point and segment closer than half of it, and a second repair changes "
-                              "nothing",
+                {.statement = "after repair with the default snapping distances, no two points are closer than the "
+                              "distance at their scale, no point and segment closer than half of it, and a second "
+                              "repair changes nothing",
                  .source = "parallel/repair.hpp",
                  .families = torn_messes}) {
   const Result<Repaired> result = repair(some_torn_mess(exhibit));
   RC_ASSERT(result.ok());
   const Pslg& pslg = result->domain.pslg();
   RC_ASSERT(find_problems(pslg).empty());
-  const double least = result->snap * (1 - 1e-3);
+  // The distance is a 16th of the default, a 256th and so on if that failed.
+  const double share = 0x1p-38 * std::min(1.0, result->snap / default_snap(pslg));
+  const Reach reach(Snapping::share_of_scale(share * (1 - 1e-3)), pslg.points, pslg.segments);
   for (Index p = 0; p < pslg.points.size(); ++p) {
+    const double scale = reach.scale_of_point(p);
     for (Index q = 0; q < p; ++q)
-      RC_ASSERT(std::hypot(pslg.points[p].x - pslg.points[q].x, pslg.points[p].y - pslg.points[q].y) >= least);
+      RC_ASSERT(std::hypot(pslg.points[p].x - pslg.points[q].x, pslg.points[p].y - pslg.points[q].y) >=
+                reach.between_points(p, q));
     for (Index s = 0; s < pslg.segments.size(); ++s)
       RC_ASSERT(p == pslg.segments[s].a || p == pslg.segments[s].b ||
-                distance_to(pslg, s, pslg.points[p]) >= least / 2);
+                distance_to(pslg, s, pslg.points[p]) >= reach.between(scale, reach.scale_of_segment(s)) / 2);
   }
   const Result<Repaired> twice = repair(pslg);
   RC_ASSERT(twice.ok());

@@ -78,10 +78,10 @@ TEST(PlaneSweep, finds_the_places_near_a_segment_in_any_unit_of_length) {
     Pslg pslg;
     pslg.points = {{-8 * unit, -8 * unit}, {8 * unit, 8 * unit}};
     pslg.segments = {{0, 1}};
-    const double reach = std::sqrt(2.0) * unit;
+    const Reach reach(std::sqrt(2.0) * unit, pslg.points, pslg.segments);
     const std::vector<Point> places{
         {-0.95 * unit, 0.95 * unit}, {0.95 * unit, -0.95 * unit}, {-1.05 * unit, 1.05 * unit}};
-    const SweepInput input{.points = pslg.points, .segments = pslg.segments, .queries = places, .reach = reach};
+    const SweepInput input{.points = pslg.points, .segments = pslg.segments, .queries = places, .reach = &reach};
     EXPECT_EQ(sweep_plane(input).near, (std::vector<NearPoint>{{2, 0}, {3, 0}})) << unit;
   }
 }
@@ -96,7 +96,8 @@ TEST(PlaneSweep, finds_places_that_see_a_segment_at_more_than_120_degrees_only) 
     const std::vector<Segment> segments{{0, 1}};
     const auto is_near = [&](double y) {
       const std::vector<Point> places{placed(0, y)};
-      return !sweep_plane({.points = points, .segments = segments, .queries = places, .reach = 2}).near.empty();
+      const Reach reach(2, points, segments);
+      return !sweep_plane({.points = points, .segments = segments, .queries = places, .reach = &reach}).near.empty();
     };
     EXPECT_FALSE(is_near(0));
     EXPECT_FALSE(is_near(0.5)) << "a smaller angle";
