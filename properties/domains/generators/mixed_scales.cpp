@@ -170,8 +170,9 @@ class Mixer {
     return mixed;
   }
 
-  /// Adds far points outside of a domain with segments.
+  /// Adds far points outside of a domain with segments, if there is room for them.
   void add_far_points(Mixed& mixed) {
+    if (!has_room_around(mixed.pslg)) return;
     mixed.pslg = with_points(mixed.pslg, far_points(largest_magnitude(mixed.pslg)));
     mixed.what.push_back(Mixture::far_points_outside);
   }
@@ -181,7 +182,8 @@ class Mixer {
     const bool has_segments = !domain_.segments.empty(), has_component = !other_.segments.empty() && has_segments;
     switch (mixture) {
       case Mixture::far_points_outside:
-        if (has_segments) return Mixed{with_points(domain_, far_points(largest_magnitude(domain_))), {}, {domain_}};
+        if (has_segments && has_room_around(domain_))
+          return Mixed{with_points(domain_, far_points(largest_magnitude(domain_))), {}, {domain_}};
         return {};
       case Mixture::far_points_inside:
         return has_segments ? in_outline() : std::nullopt;
@@ -201,9 +203,13 @@ class Mixer {
     return {};
   }
 
-  /// One to three points. At least one coordinate of each is far larger than `magnitude`.
+  static constexpr int farther = 10;  ///< far points are at least 2^10 times as far away as the domain reaches
+  static bool has_room_around(const Pslg& pslg) {
+    return power_above(largest_magnitude(pslg)) + farther <= largest_power;
+  }
+  /// One to three points. At least one coordinate of each is far larger than `magnitude`. Precondition: there is room.
   std::vector<Point> far_points(double magnitude) {
-    const int least = power_above(magnitude) + 10;
+    const int least = power_above(magnitude) + farther;
     std::vector<Point> points;
     for (int left = random_.between(1, 3); left > 0; --left) {
       const double far = far_coordinate(least);
@@ -216,7 +222,7 @@ class Mixer {
   }
   double far_coordinate(int least) {
     const int most = random_.chance(3) ? largest_power : std::min(least + 40, largest_power);
-    const double x = std::ldexp(random_.between(4, 7), random_.between(std::min(least, most), most) - 2);
+    const double x = std::ldexp(random_.between(4, 7), random_.between(least, most) - 2);
     return random_.chance(2) ? x : -x;
   }
 
@@ -415,13 +421,16 @@ const std::vector<Mixture>& all_mixtures() {
 
 const char* name(Mixture mixture) { return mixture_names[mixture]; }
 
-Mixed mixed_scales(const Pslg& domain, const Pslg& other, Random& random, bool allows_tiny) {
+Mixed mixed_scales(const Pslg& domain, const Pslg& other, Random& random, bool allows_tiny,
+                   const std::vector<Mixture>& mixtures) {
   Mixer mixer(domain, other, random, allows_tiny);
-  std::vector<Mixture> order = all_mixtures();
+  std::vector<Mixture> order = mixtures;
   random.shuffle(order);
+  const bool may_add_far_points =
+      !domain.segments.empty() && std::ranges::find(mixtures, Mixture::far_points_outside) != mixtures.end();
   for (const Mixture mixture : order)
     if (std::optional<Mixed> mixed = mixer.mixed(mixture)) {
-      if (mixture != Mixture::far_points_outside && !domain.segments.empty() && random.chance(4))
+      if (mixture != Mixture::far_points_outside && may_add_far_points && random.chance(4))
         mixer.add_far_points(*mixed);
       return *mixed;
     }
