@@ -295,6 +295,7 @@ class Mixer {
     if (domain_.holes.empty()) return {};
     const std::size_t hole = random_.below(domain_.holes.size());
     const Point seed = domain_.holes[hole];
+    if (std::ranges::find(domain_.points, seed) != domain_.points.end()) return {};
     std::optional<Pslg> place = moved(domain_, {-seed.x, -seed.y});
     const std::optional<Pslg> part = at_origin(other_);
     if (!place || !part) return {};
