@@ -1,4 +1,5 @@
 // Several ranks make and judge the mesh of one process, where scales are mixed.
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "../framework/local_ranks.hpp"
 #include "../framework/shares.hpp"
 #include "mixed_scales.hpp"
+#include "problems_to_fill.hpp"
 
 namespace pardel::properties {
 namespace {
@@ -23,16 +25,18 @@ Counts counts_of(const Certificate& certificate) {
 /// What is wrong with the piece of a rank, and what the ranks find when they check their pieces for another goal.
 struct MixedFindings {
   std::string fault;
-  Counts violations;
+  Counts violations{};
+  std::size_t triangles = 0;  ///< of the piece
 };
 
 MixedFindings compare_mixed(const Mesh& whole, Result<MeshPiece> piece, const Problem& judged, pardel::Ranks& ranks) {
-  if (!piece) return {piece.error().message, {}};
-  if (digest(*piece, ranks) != digest(whole) || piece->triangles != whole.triangles.size()) return {"another mesh", {}};
+  if (!piece) return {piece.error().message};
+  if (digest(*piece, ranks) != digest(whole) || piece->triangles != whole.triangles.size()) return {"another mesh"};
+  const std::size_t triangles = piece->mesh.triangles.size();
   const NumberedMesh numbered{std::move(piece->mesh), std::move(piece->number)};
   const Result<Certificate> certificate = check(judged.pslg, numbered, judged.goal, {}, ranks);
-  if (!certificate) return {certificate.error().message, {}};
-  return {{}, counts_of(*certificate)};
+  if (!certificate) return {certificate.error().message};
+  return {{}, counts_of(*certificate), triangles};
 }
 
 PARDEL_PROPERTY(
@@ -42,13 +46,16 @@ PARDEL_PROPERTY(
                   "in it as the checker in one process: none, or for a stricter goal, the same numbers.",
      .source = "properties/THEORY.md, Ranks",
      .families = mixed_families}) {
-  const MixedProblem drawn = some_mixed_problem(exhibit);
-  const Problem& problem = drawn.problem;
+  MixedProblem drawn = some_mixed_problem(exhibit);
+  Problem& problem = drawn.problem;
+  if (!drawn.mixed.enlarges) problem.goal.max_area = box_area(drawn.mixed.parts.front()) / *rc::gen::inRange(100, 500);
   Options options = some_options();
-  options.triangles_per_tile = *rc::gen::inRange(10U, 80U);
+  options.triangles_per_tile = *rc::gen::inRange(4U, 40U);
+  // Most of a mesh with far points lies in one cell of a lattice.
+  if (*rc::gen::inRange(0, 3) != 0) options.decomposition = Decomposition::quadtree;
   const int count = *rc::gen::inRange(2, 6);
   const bool is_dealt = can_divide_points(problem.goal, options) && *rc::gen::arbitrary<bool>();
-  classify(is_dealt, "no rank has all points", 20);
+  classify(is_dealt, "no rank has all points", 8);
 
   const Mesh whole = meshed(problem, exhibit, options).mesh;
   Problem judged = problem;
@@ -62,6 +69,8 @@ PARDEL_PROPERTY(
                                        : mesh(domain, problem.goal, options, ranks);
     findings[ranks.rank()] = compare_mixed(whole, std::move(piece), judged, ranks);
   });
+  const std::size_t most = std::ranges::max(findings, {}, &MixedFindings::triangles).triangles;
+  classify(4 * most < 3 * whole.triangles.size(), "divided among ranks", 20);
   for (const MixedFindings& found : findings) {
     RC_ASSERT(found.fault == "");
     RC_ASSERT(found.violations == counts_of(certificate));

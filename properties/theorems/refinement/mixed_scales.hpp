@@ -69,7 +69,7 @@ inline MixedProblem some_mixed_problem(Exhibit& exhibit,
   return result;
 }
 
-/// True if an outline or a hull is more than 2^50 times as large as the distance of two points inside of it. There the
+/// True if an outline or a hull is more than 2^55 times as large as the distance of two points inside of it. There the
 /// engine misses bounds on angles beside the two points (a known fault); properties of meshes leave such cases out.
 inline bool is_vast_around_near_points(const generators::Mixed& mixed) {
   using enum generators::Mixture;
@@ -86,7 +86,7 @@ inline bool is_vast_around_near_points(const generators::Mixed& mixed) {
       least = std::min(least, distance(a, b));
       if (segments.empty()) longest = std::max(longest, distance(a, b));
     }
-  return longest > 0x1p50 * least;
+  return longest > 0x1p55 * least;
 }
 
 }  // namespace pardel::properties
