@@ -153,6 +153,13 @@ double room_at_origin(const Pslg& pslg) {
   return room;
 }
 
+/// True if a point or a seed lies at the origin.
+bool has_place_at_origin(const Pslg& pslg) {
+  bool has = false;
+  for_each_place(pslg, [&](Point p) { has = has || p == Point{}; });
+  return has;
+}
+
 class Mixer {
  public:
   Mixer(const Pslg& domain, const Pslg& other, Random& random, bool allows_tiny)
@@ -286,8 +293,9 @@ class Mixer {
     const double gap = std::ldexp(1, power_above(extent_) - random_.between(0, 3));
     const std::optional<Pslg> place = moved(domain_, {gap - bounds.low.x, gap - bounds.low.y}),
                               part = at_origin(other_);
-    if (!place || !part) return {};
-    return with_component(*place, *part, gap);
+    // Seeds of holes may lie outside.
+    if (!place || !part || has_place_at_origin(*place)) return {};
+    return with_component(*place, *part, std::min(gap, room_at_origin(*place)));
   }
 
   /// The other one in a hole. The seed of the hole moves aside.
@@ -295,12 +303,13 @@ class Mixer {
     if (domain_.holes.empty()) return {};
     const std::size_t hole = random_.below(domain_.holes.size());
     const Point seed = domain_.holes[hole];
-    if (std::ranges::find(domain_.points, seed) != domain_.points.end()) return {};
-    std::optional<Pslg> place = moved(domain_, {-seed.x, -seed.y});
+    Pslg without = domain_;
+    without.holes.erase(without.holes.begin() + static_cast<std::ptrdiff_t>(hole));
+    std::optional<Pslg> place = moved(without, {-seed.x, -seed.y});
     const std::optional<Pslg> part = at_origin(other_);
-    if (!place || !part) return {};
+    if (!place || !part || has_place_at_origin(*place)) return {};
     const double room = std::ldexp(1, std::ilogb(room_at_origin(*place)));
-    place->holes[hole] = {room / 2, 0};
+    place->holes.push_back({room / 2, 0});
     return with_component(*place, *part, room / 2);
   }
 
@@ -354,7 +363,7 @@ class Mixer {
       const Point from = random_.one_of(domain_.points);
       const Point p{from.x + random_.between(-8, 8) * step, from.y + random_.between(-8, 8) * step};
       const std::optional<Pslg> around = moved(domain_, {-p.x, -p.y});
-      if (!around || std::ranges::find(around->points, Point{}) != around->points.end()) continue;
+      if (!around || has_place_at_origin(*around)) continue;
       const double room = room_at_origin(*around);
       if (!(room > most)) continue;
       most = room;
@@ -418,6 +427,25 @@ const std::vector<Mixture>& all_mixtures() {
     return all;
   }();
   return mixtures;
+}
+
+bool is_vast_around_near_points(const Mixed& mixed) {
+  using enum Mixture;
+  const std::vector<Mixture> inside{far_points_inside, far_points_of_hull, component_in_face, tiny_feature};
+  if (std::ranges::find_first_of(mixed.what, inside) == mixed.what.end()) return false;
+  const std::vector<Point>& points = mixed.pslg.points;
+  const std::vector<Segment>& segments = mixed.pslg.segments;
+  const auto distance = [&](Index a, Index b) {
+    return std::hypot(points[a].x - points[b].x, points[a].y - points[b].y);
+  };
+  double longest = 0, least = std::numeric_limits<double>::infinity();
+  for (const Segment& s : segments) longest = std::max(longest, distance(s.a, s.b));
+  for (Index a = 0; a < points.size(); ++a)
+    for (Index b = 0; b < a; ++b) {
+      least = std::min(least, distance(a, b));
+      if (segments.empty()) longest = std::max(longest, distance(a, b));
+    }
+  return longest > 0x1p55 * least;
 }
 
 const char* name(Mixture mixture) { return mixture_names[mixture]; }

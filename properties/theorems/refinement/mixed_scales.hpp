@@ -1,12 +1,9 @@
 // Random problems whose domains mix scales (domains/generators/mixed_scales.hpp).
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -67,26 +64,6 @@ inline MixedProblem some_mixed_problem(Exhibit& exhibit,
   if (result.mixed.enlarges) result.problem.goal.max_area = std::numeric_limits<double>::infinity();
   exhibit.show(result.problem.pslg);
   return result;
-}
-
-/// True if an outline or a hull is more than 2^55 times as large as the distance of two points inside of it. There the
-/// engine misses bounds on angles beside the two points (a known fault); properties of meshes leave such cases out.
-inline bool is_vast_around_near_points(const generators::Mixed& mixed) {
-  using enum generators::Mixture;
-  const std::vector<generators::Mixture> inside{far_points_inside, far_points_of_hull, component_in_face, tiny_feature};
-  if (std::ranges::find_first_of(mixed.what, inside) == mixed.what.end()) return false;
-  const auto& [points, segments] = std::tie(mixed.pslg.points, mixed.pslg.segments);
-  const auto distance = [&](Index a, Index b) {
-    return std::hypot(points[a].x - points[b].x, points[a].y - points[b].y);
-  };
-  double longest = 0, least = std::numeric_limits<double>::infinity();
-  for (const Segment& s : segments) longest = std::max(longest, distance(s.a, s.b));
-  for (Index a = 0; a < points.size(); ++a)
-    for (Index b = 0; b < a; ++b) {
-      least = std::min(least, distance(a, b));
-      if (segments.empty()) longest = std::max(longest, distance(a, b));
-    }
-  return longest > 0x1p55 * least;
 }
 
 }  // namespace pardel::properties
