@@ -1,5 +1,5 @@
 // draw_case TARGET INPUT STEM: writes the domain that an input of a fuzz target draws, before its repair, as STEM.poly
-// and STEM.svg, and prints the goal and the options.
+// and STEM.svg, and prints the goal and the options. If scales are mixed, it writes the domain after its repair, mixed.
 #include <cstdio>
 #include <string>
 #include <system_error>
@@ -23,14 +23,14 @@ void print(const Pslg& pslg, const Goal& goal) {
 }
 
 void print(const fuzz::MeshCase& drawn) {
-  const auto& [pslg, goal, options, nudged, again, threads, ranks, seed] = drawn;
+  const auto& [pslg, goal, options, nudged, again, threads, ranks, seed, mixture] = drawn;
   print(pslg, goal);
   std::printf("placement %d, decomposition %d, triangles per tile %u, vertices %llu, least edge %g, no splits %d %d\n",
               static_cast<int>(options.placement), static_cast<int>(options.decomposition), options.triangles_per_tile,
               static_cast<unsigned long long>(options.max_vertices), options.min_edge, options.no_boundary_splits,
               options.no_segment_splits);
-  std::printf("nudged %d, refined again %d, threads %d, ranks %d, seed %llu\n", nudged, again, threads, ranks,
-              static_cast<unsigned long long>(seed));
+  std::printf("nudged %d, refined again %d, threads %d, ranks %d, seed %llu, mixture %d\n", nudged, again, threads,
+              ranks, static_cast<unsigned long long>(seed), mixture);
 }
 
 }  // namespace
@@ -50,7 +50,7 @@ int main(int argc, char** argv) try {
   } else {
     const fuzz::MeshCase drawn = fuzz::decode_mesh_case(bytes);
     print(drawn);
-    pslg = drawn.pslg;
+    pslg = drawn.mixture != 0 && target != "repair" ? fuzz::prepare(drawn).pslg : drawn.pslg;
   }
   for (const Status& written : {write_poly(pslg, stem + ".poly"), write_svg(pslg, stem + ".svg")})
     if (!written) {

@@ -12,10 +12,11 @@ namespace pardel::fuzz {
 namespace {
 
 /// True if the options or the domain are a reason why a bound may be missed: a least edge, segments that may not be
-/// split, points a few units in the last place from their neighbours, an angle for which there is no proof.
-bool may_miss(const MeshCase& drawn) {
+/// split, points a few units in the last place from their neighbours, small angles far off, an angle for which there is
+/// no proof.
+bool may_miss(const MeshCase& drawn, const Prepared& prepared) {
   return drawn.options.min_edge > 0 || drawn.options.no_boundary_splits || drawn.options.no_segment_splits ||
-         drawn.nudged || drawn.goal.min_angle_deg > 30;
+         drawn.nudged || prepared.far_off || drawn.goal.min_angle_deg > 30;
 }
 
 void require(const std::string& fault) {
@@ -40,10 +41,10 @@ int fuzz_one(std::span<const std::uint8_t> bytes) {
     require(fault_of(*meshed, {.pslg = prepared.pslg,
                                .goal = drawn.goal,
                                .options = options,
-                               .may_miss = may_miss(drawn),
+                               .may_miss = may_miss(drawn, prepared),
                                .longest_edge = *longest_edge}));
     if (drawn.refine_again && interior == Interior::refine)
-      require(fault_of_refining(meshed->mesh, drawn.goal, options, may_miss(drawn)));
+      require(fault_of_refining(meshed->mesh, drawn.goal, options, may_miss(drawn, prepared)));
   }
   return 0;
 }

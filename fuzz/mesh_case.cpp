@@ -7,6 +7,7 @@
 #include "../parallel/repair.hpp"
 #include "../properties/domains/domains.hpp"
 #include "../properties/domains/generators/lattice_domain.hpp"
+#include "../properties/domains/generators/mixed_scales.hpp"
 #include "../properties/domains/paths.hpp"
 #include "doubles.hpp"
 #include "supply.hpp"
@@ -188,6 +189,30 @@ void decode_options(Supply& header, double side, Options& options) {
   if (header.flag(16)) options.no_segment_splits = true;
 }
 
+/// These two bytes are behind all others, and few of the inputs that were stored before have such a second one, so that
+/// they keep their meaning. Bounds on lengths mean little where scales are mixed, and the hull of far points can be a
+/// needle.
+void decode_mixture(Supply& header, MeshCase& drawn) {
+  const int first = header.byte(), second = header.byte();
+  if (second < 100 || second >= 148) return;
+  drawn.mixture = 256 * second + first;
+  drawn.goal.max_area = drawn.goal.max_edge = no_bound;
+  drawn.goal.size = nullptr;
+  drawn.goal.convex_hull = false;
+}
+
+/// Mixes the scales of a repaired domain.
+void mix(Prepared& prepared, const MeshCase& drawn) {
+  constexpr int largest_other = 12;
+  generators::Random random(static_cast<std::uint64_t>(drawn.mixture) << 32U | drawn.seed);
+  Pslg other = prepared.pslg;
+  if (random.chance(2)) other = to_pslg(generators::any_domain(random, largest_other));
+  generators::Mixed mixed = mixed_scales(prepared.pslg, other, random);
+  if (is_vast_around_near_points(mixed)) return;
+  prepared.far_off = std::ranges::find(mixed.what, generators::Mixture::component_far_off) != mixed.what.end();
+  prepared.pslg = std::move(mixed.pslg);
+}
+
 }  // namespace
 
 MeshCase decode_mesh_case(std::span<const std::uint8_t> bytes) {
@@ -212,6 +237,7 @@ MeshCase decode_mesh_case(std::span<const std::uint8_t> bytes) {
   for (const Point p : drawn.pslg.points) extent = std::max({extent, std::abs(p.x), std::abs(p.y)});
   decode_bounds(header, extent, drawn.goal);
   decode_options(header, extent, drawn.options);
+  decode_mixture(header, drawn);
   for (std::size_t strokes = 0; strokes < most_strokes && !all.empty(); ++strokes)
     drawing.stroke(Supply(all.take(stroke_bytes)));
   place(drawn, position);
@@ -227,12 +253,20 @@ MeshCase decode_small_case(std::span<const std::uint8_t> bytes) {
 
 Prepared prepare(const MeshCase& drawn) {
   const RepairOptions options{.snap = 0, .convex_hull = drawn.goal.convex_hull};
-  if (Result<Repaired> repaired = repair(drawn.pslg, options)) return {std::move(repaired->domain).pslg(), true, false};
-  Pslg bare = drawn.pslg;
-  bare.holes.clear();
-  bare.regions.clear();
-  if (Result<Repaired> repaired = repair(bare, options)) return {std::move(repaired->domain).pslg(), true, true};
-  return {};
+  Prepared prepared;
+  Result<Repaired> repaired = repair(drawn.pslg, options);
+  if (!repaired) {
+    Pslg bare = drawn.pslg;
+    bare.holes.clear();
+    bare.regions.clear();
+    repaired = repair(bare, options);
+    prepared.reduced = true;
+  }
+  if (!repaired) return {};
+  prepared.pslg = std::move(repaired->domain).pslg();
+  prepared.usable = true;
+  if (drawn.mixture != 0) mix(prepared, drawn);
+  return prepared;
 }
 
 }  // namespace pardel::fuzz

@@ -28,16 +28,19 @@ struct MeshCase {
   int threads = 2;            ///< a second number of threads, 2 to 4
   int ranks = 2;              ///< a number of ranks, 2 to 5
   std::uint64_t seed = 0;     ///< 32 bits, for the choices of a target
+  int mixture = 0;            ///< if not 0: a seed with which prepare() mixes scales
 };
 
 /// Deterministic. Every sequence of bytes gives a case, and so does every prefix.
 [[nodiscard]] MeshCase decode_mesh_case(std::span<const std::uint8_t> bytes);
 
-/// The repaired Pslg of a case. If the holes cover the whole domain, all holes and regions are removed first.
+/// The repaired Pslg of a case, in which scales are mixed if the case says so. If the holes cover the whole domain, all
+/// holes and regions are removed first.
 struct Prepared {
   Pslg pslg;
   bool usable = false;   ///< false if the segments could not be repaired even without holes and regions
   bool reduced = false;  ///< true if the holes and regions were removed
+  bool far_off = false;  ///< a component lies so far off that the shortest edges there can be a reason to miss a bound
 };
 [[nodiscard]] Prepared prepare(const MeshCase& drawn);
 

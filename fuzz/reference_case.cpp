@@ -1,9 +1,12 @@
 #include "reference_case.hpp"
 
+#include <limits>
 #include <set>
 #include <utility>
 
+#include "../properties/domains/generators/mixed_scales.hpp"
 #include "../properties/domains/paths.hpp"
+#include "../properties/theorems/refinement/plain_coordinates.hpp"
 #include "supply.hpp"
 
 namespace pardel::fuzz {
@@ -28,14 +31,34 @@ Pslg decode_domain(Supply& bytes) {
   return pslg;
 }
 
+/// Mixes scales, if the result has coordinates that the reference takes. A tiny feature could have a small angle.
+Pslg mixed(const Pslg& pslg, int seed) {
+  using enum generators::Mixture;
+  generators::Random random(static_cast<std::uint64_t>(seed));
+  const generators::Mixed drawn =
+      mixed_scales(pslg, pslg, random, false,
+                   {far_points_outside, component_beside, component_in_hole, component_in_face, component_far_off});
+  Pslg scaled = properties::as_large_as_plain_coordinates(drawn.pslg);
+  return properties::has_plain_coordinates(scaled) ? scaled : pslg;
+}
+
 }  // namespace
 
 ReferenceCase decode_reference_case(std::span<const std::uint8_t> bytes) {
   Supply supply(bytes);
-  Goal goal{.min_angle_deg = supply.one_of({20.7, 10.0, 15.0, 0.0})};
+  constexpr double angles[] = {20.7, 10, 15, 0};
+  const int first = supply.byte();
+  Goal goal{.min_angle_deg = angles[first % 4]};
   goal.conforming = supply.flag(128);
-  if (const int cap = supply.below(4); cap == 3) goal.max_area = 12;
-  return {.pslg = decode_domain(supply), .goal = goal};
+  const int cap = supply.byte();
+  if (cap % 4 == 3) goal.max_area = 12;
+  Pslg pslg = decode_domain(supply);
+  // The inputs that were stored before have no such first byte, so that they keep their meaning.
+  if (first >= 140 && first < 204) {
+    pslg = mixed(pslg, 256 * first + cap);
+    goal.max_area = std::numeric_limits<double>::infinity();
+  }
+  return {.pslg = std::move(pslg), .goal = goal};
 }
 
 }  // namespace pardel::fuzz

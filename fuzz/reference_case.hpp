@@ -10,7 +10,8 @@
 namespace pardel::fuzz {
 
 /// A square of side 16, possibly with a rectangular hole or island, or a wall from side to side, and isolated points.
-/// No two segments meet at less than 60 degrees.
+/// It may have far points around it, or a copy beside it, in its hole or in a face, up to 2^60 times smaller; then it
+/// is multiplied by a power of two. No two segments meet at less than 60 degrees.
 struct ReferenceCase {
   Pslg pslg;
   Goal goal;

@@ -172,9 +172,20 @@ std::set<Index> unused_points(const ExactMesh& mesh, const Pslg& pslg) {
 
 std::set<Index> with_wrong_attributes(const ExactMesh& mesh, const Pslg& pslg) {
   std::set<Index> found;
-  for (std::size_t k = 0; k < pslg.point_attributes.size() && k < mesh.given.point_attributes.size(); ++k)
-    if (!is_same_attribute(mesh.given.point_attributes[k], pslg.point_attributes[k]))
-      found.insert(static_cast<Index>(k / pslg.attributes_per_point));
+  const std::vector<double>& expected = pslg.point_attributes;
+  const auto& given = mesh.given.point_attributes;
+  const auto is_wrong = [&](std::size_t k) {
+    if (k < expected.size()) return !is_same_attribute(given[k], expected[k]);
+    double least = std::numeric_limits<double>::infinity(), greatest = -least;
+    for (std::size_t i = k % pslg.attributes_per_point; i < expected.size(); i += pslg.attributes_per_point) {
+      least = std::min(least, expected[i]);
+      greatest = std::max(greatest, expected[i]);
+    }
+    const double spare = attribute_tolerance * std::max(std::abs(least), std::abs(greatest));
+    return !(least - spare <= given[k] && given[k] <= greatest + spare);
+  };
+  for (std::size_t k = 0; k < given.size() && !expected.empty(); ++k)
+    if (is_wrong(k)) found.insert(static_cast<Index>(k / pslg.attributes_per_point));
   return found;
 }
 

@@ -51,7 +51,8 @@ struct ExactMesh {
 [[nodiscard]] std::set<Index> missing_inputs(const ExactMesh& mesh, const Pslg& pslg, const InputFaces& faces);
 /// Points without triangles that are no points of the input.
 [[nodiscard]] std::set<Index> unused_points(const ExactMesh& mesh, const Pslg& pslg);
-/// Points of the input with other attributes.
+/// Points of the input with other attributes, and other vertices with an attribute that is not between those of the
+/// points of the input.
 [[nodiscard]] std::set<Index> with_wrong_attributes(const ExactMesh& mesh, const Pslg& pslg);
 
 /// True if every used vertex lies exactly on a wall or far from it, compared with rounding, so that tolerances do not

@@ -59,11 +59,31 @@ TEST(MeshCase, every_family_draws_a_domain) {
   }
 }
 
+TEST(MeshCase, mixtures_of_scales_are_valid_domains_that_differ_from_those_without) {
+  Bytes bytes(header_bytes);
+  bytes[6] = 3;
+  bytes[8] = 20;
+  int mixed = 0;
+  for (std::uint8_t seed = 0; seed < 200; ++seed) {
+    bytes[7] = seed;
+    bytes[27] = seed;
+    bytes[28] = 0;
+    const Prepared without = prepare(decode_mesh_case(bytes));
+    bytes[28] = 100;
+    const Prepared with = prepare(decode_mesh_case(bytes));
+    ASSERT_TRUE(with.usable);
+    EXPECT_TRUE(find_problems(with.pslg).empty()) << int(seed);
+    mixed += with.pslg != without.pslg ? 1 : 0;
+  }
+  EXPECT_GT(mixed, 150);
+}
+
 TEST(MeshCase, repairing_keeps_what_was_drawn) {
   for (const Bytes& bytes : corpus()) {
     const MeshCase drawn = decode_mesh_case(bytes);
     const Prepared prepared = prepare(drawn);
-    if (!prepared.usable) continue;  // the last test limits their number
+    // The last test limits the number of the unusable ones. Mixed domains are moved.
+    if (!prepared.usable || drawn.mixture != 0) continue;
     // Repair may split a drawn segment, but it keeps both ends.
     for (const Segment& segment : drawn.pslg.segments) {
       for (const Index end : {segment.a, segment.b}) {

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "../../fuzz/stored_inputs.hpp"
@@ -34,6 +36,29 @@ TEST(ReferenceCase, is_a_valid_domain_for_all_inputs_of_the_corpus) {
   const std::vector<ReferenceCase> cases = cases_of_the_corpus();
   ASSERT_GT(cases.size(), 10U);
   for (const auto& [pslg, goal] : cases) EXPECT_TRUE(find_problems(pslg).empty());
+}
+
+/// The largest coordinate, divided by the shortest segment.
+double range_of_lengths(const Pslg& pslg) {
+  double largest = 0, shortest = std::numeric_limits<double>::infinity();
+  for (const Point p : pslg.points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+  for (const Segment& s : pslg.segments) {
+    const Point a = pslg.points[s.a], b = pslg.points[s.b];
+    shortest = std::min(shortest, std::hypot(a.x - b.x, a.y - b.y));
+  }
+  return largest / shortest;
+}
+
+TEST(ReferenceCase, is_a_valid_domain_where_scales_are_mixed_and_scales_differ_much) {
+  int different = 0;
+  for (std::uint8_t first = 140; first < 204; ++first)
+    for (std::uint8_t kind = 0; kind < 4; ++kind) {
+      const std::vector<std::uint8_t> bytes{first, 0, 0, kind, 1, 2, 3, 0, 7, 9, 1};
+      const Pslg pslg = decode_reference_case(bytes).pslg;
+      EXPECT_TRUE(find_problems(pslg).empty());
+      different += range_of_lengths(pslg) > 0x1p20 ? 1 : 0;
+    }
+  EXPECT_GT(different, 100);
 }
 
 TEST(ReferenceCase, has_no_segments_that_meet_at_less_than_60_degrees) {

@@ -153,6 +153,13 @@ double room_at_origin(const Pslg& pslg) {
   return room;
 }
 
+/// True if a point or a seed lies at the origin.
+bool has_place_at_origin(const Pslg& pslg) {
+  bool has = false;
+  for_each_place(pslg, [&](Point p) { has = has || p == Point{}; });
+  return has;
+}
+
 class Mixer {
  public:
   Mixer(const Pslg& domain, const Pslg& other, Random& random, bool allows_tiny)
@@ -170,8 +177,9 @@ class Mixer {
     return mixed;
   }
 
-  /// Adds far points outside of a domain with segments.
+  /// Adds far points outside of a domain with segments, if there is room for them.
   void add_far_points(Mixed& mixed) {
+    if (!has_room_around(mixed.pslg)) return;
     mixed.pslg = with_points(mixed.pslg, far_points(largest_magnitude(mixed.pslg)));
     mixed.what.push_back(Mixture::far_points_outside);
   }
@@ -181,7 +189,8 @@ class Mixer {
     const bool has_segments = !domain_.segments.empty(), has_component = !other_.segments.empty() && has_segments;
     switch (mixture) {
       case Mixture::far_points_outside:
-        if (has_segments) return Mixed{with_points(domain_, far_points(largest_magnitude(domain_))), {}, {domain_}};
+        if (has_segments && has_room_around(domain_))
+          return Mixed{with_points(domain_, far_points(largest_magnitude(domain_))), {}, {domain_}};
         return {};
       case Mixture::far_points_inside:
         return has_segments ? in_outline() : std::nullopt;
@@ -201,9 +210,13 @@ class Mixer {
     return {};
   }
 
-  /// One to three points. At least one coordinate of each is far larger than `magnitude`.
+  static constexpr int farther = 10;  ///< far points are at least 2^10 times as far away as the domain reaches
+  static bool has_room_around(const Pslg& pslg) {
+    return power_above(largest_magnitude(pslg)) + farther <= largest_power;
+  }
+  /// One to three points. At least one coordinate of each is far larger than `magnitude`. Precondition: there is room.
   std::vector<Point> far_points(double magnitude) {
-    const int least = power_above(magnitude) + 10;
+    const int least = power_above(magnitude) + farther;
     std::vector<Point> points;
     for (int left = random_.between(1, 3); left > 0; --left) {
       const double far = far_coordinate(least);
@@ -216,7 +229,7 @@ class Mixer {
   }
   double far_coordinate(int least) {
     const int most = random_.chance(3) ? largest_power : std::min(least + 40, largest_power);
-    const double x = std::ldexp(random_.between(4, 7), random_.between(std::min(least, most), most) - 2);
+    const double x = std::ldexp(random_.between(4, 7), random_.between(least, most) - 2);
     return random_.chance(2) ? x : -x;
   }
 
@@ -280,8 +293,9 @@ class Mixer {
     const double gap = std::ldexp(1, power_above(extent_) - random_.between(0, 3));
     const std::optional<Pslg> place = moved(domain_, {gap - bounds.low.x, gap - bounds.low.y}),
                               part = at_origin(other_);
-    if (!place || !part) return {};
-    return with_component(*place, *part, gap);
+    // Seeds of holes may lie outside.
+    if (!place || !part || has_place_at_origin(*place)) return {};
+    return with_component(*place, *part, std::min(gap, room_at_origin(*place)));
   }
 
   /// The other one in a hole. The seed of the hole moves aside.
@@ -289,11 +303,13 @@ class Mixer {
     if (domain_.holes.empty()) return {};
     const std::size_t hole = random_.below(domain_.holes.size());
     const Point seed = domain_.holes[hole];
-    std::optional<Pslg> place = moved(domain_, {-seed.x, -seed.y});
+    Pslg without = domain_;
+    without.holes.erase(without.holes.begin() + static_cast<std::ptrdiff_t>(hole));
+    std::optional<Pslg> place = moved(without, {-seed.x, -seed.y});
     const std::optional<Pslg> part = at_origin(other_);
-    if (!place || !part) return {};
+    if (!place || !part || has_place_at_origin(*place)) return {};
     const double room = std::ldexp(1, std::ilogb(room_at_origin(*place)));
-    place->holes[hole] = {room / 2, 0};
+    place->holes.push_back({room / 2, 0});
     return with_component(*place, *part, room / 2);
   }
 
@@ -347,7 +363,7 @@ class Mixer {
       const Point from = random_.one_of(domain_.points);
       const Point p{from.x + random_.between(-8, 8) * step, from.y + random_.between(-8, 8) * step};
       const std::optional<Pslg> around = moved(domain_, {-p.x, -p.y});
-      if (!around || std::ranges::find(around->points, Point{}) != around->points.end()) continue;
+      if (!around || has_place_at_origin(*around)) continue;
       const double room = room_at_origin(*around);
       if (!(room > most)) continue;
       most = room;
@@ -413,15 +429,37 @@ const std::vector<Mixture>& all_mixtures() {
   return mixtures;
 }
 
+bool is_vast_around_near_points(const Mixed& mixed) {
+  using enum Mixture;
+  const std::vector<Mixture> inside{far_points_inside, far_points_of_hull, component_in_face, tiny_feature};
+  if (std::ranges::find_first_of(mixed.what, inside) == mixed.what.end()) return false;
+  const std::vector<Point>& points = mixed.pslg.points;
+  const std::vector<Segment>& segments = mixed.pslg.segments;
+  const auto distance = [&](Index a, Index b) {
+    return std::hypot(points[a].x - points[b].x, points[a].y - points[b].y);
+  };
+  double longest = 0, least = std::numeric_limits<double>::infinity();
+  for (const Segment& s : segments) longest = std::max(longest, distance(s.a, s.b));
+  for (Index a = 0; a < points.size(); ++a)
+    for (Index b = 0; b < a; ++b) {
+      least = std::min(least, distance(a, b));
+      if (segments.empty()) longest = std::max(longest, distance(a, b));
+    }
+  return longest > 0x1p55 * least;
+}
+
 const char* name(Mixture mixture) { return mixture_names[mixture]; }
 
-Mixed mixed_scales(const Pslg& domain, const Pslg& other, Random& random, bool allows_tiny) {
+Mixed mixed_scales(const Pslg& domain, const Pslg& other, Random& random, bool allows_tiny,
+                   const std::vector<Mixture>& mixtures) {
   Mixer mixer(domain, other, random, allows_tiny);
-  std::vector<Mixture> order = all_mixtures();
+  std::vector<Mixture> order = mixtures;
   random.shuffle(order);
+  const bool may_add_far_points =
+      !domain.segments.empty() && std::ranges::find(mixtures, Mixture::far_points_outside) != mixtures.end();
   for (const Mixture mixture : order)
     if (std::optional<Mixed> mixed = mixer.mixed(mixture)) {
-      if (mixture != Mixture::far_points_outside && !domain.segments.empty() && random.chance(4))
+      if (mixture != Mixture::far_points_outside && may_add_far_points && random.chance(4))
         mixer.add_far_points(*mixed);
       return *mixed;
     }

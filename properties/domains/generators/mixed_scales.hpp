@@ -34,6 +34,7 @@ struct Mixed {
   Pslg pslg;                  ///< valid, if the two domains are
   std::vector<Mixture> what;  ///< empty if nothing could be done
   /// Valid domains in which scales differ less. Together they need about as many triangles.
+  /// Two of them are the components: the points and segments of the first one come first, then those of the second one.
   std::vector<Pslg> parts;
   bool enlarges = false;  ///< there may be faces that are larger than those of the domain: bounds on areas mean no more
   bool is_tiny = false;   ///< features are so small that edges of the least possible length may be needed
@@ -42,8 +43,13 @@ struct Mixed {
 /// Mixes the scales of a domain at random: one mixture, and sometimes far points outside besides. Coordinates are 0, or
 /// 2^-140 to 2^200 in magnitude, and nothing is rounded: parts are moved and scaled by powers of two, and what that
 /// would round is not done. `other` is a second domain, which may be the same one; it is scaled by up to 2^60 and used
-/// as a component. `allows_tiny`: features may be as small as coordinates can be. Preconditions: both are valid; point
-/// attributes of `other` are not used.
-[[nodiscard]] Mixed mixed_scales(const Pslg& domain, const Pslg& other, Random& random, bool allows_tiny = false);
+/// as a component. `allows_tiny`: features may be as small as coordinates can be. `mixtures`: those that may be chosen.
+/// Preconditions: both are valid; point attributes of `other` are not used.
+[[nodiscard]] Mixed mixed_scales(const Pslg& domain, const Pslg& other, Random& random, bool allows_tiny = false,
+                                 const std::vector<Mixture>& mixtures = all_mixtures());
+
+/// True if an outline or a hull is more than 2^55 times as large as the distance of two points inside of it. There the
+/// engine misses bounds on angles beside the two points (a known fault); tests of meshes leave such cases out.
+[[nodiscard]] bool is_vast_around_near_points(const Mixed& mixed);
 
 }  // namespace pardel::generators

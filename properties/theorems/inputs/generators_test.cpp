@@ -2,11 +2,14 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
+#include <span>
 
 #include "../../../parallel/mesher.hpp"
 #include "../../../parallel/validate.hpp"
 #include "../../domains/generators/goals.hpp"
 #include "../../domains/generators/lattice_domain.hpp"
+#include "../../domains/generators/mixed_scales.hpp"
 #include "../framework/property.hpp"
 #include "../framework/rapidcheck_generators.hpp"
 #include "../framework/shares.hpp"
@@ -160,6 +163,41 @@ PARDEL_PROPERTY(
   for (std::size_t i = 0; i < pslg.holes.size(); ++i) RC_ASSERT(on_lattice(pslg.holes[i], domain.holes[i], 4));
   for (std::size_t i = 0; i < pslg.regions.size(); ++i)
     RC_ASSERT(on_lattice(pslg.regions[i].seed, domain.regions[i].seed, 4));
+}
+
+/// The largest coordinate, divided by the least distance of two points.
+double range_of_lengths(const Pslg& pslg) {
+  double largest = 0, least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < pslg.points.size(); ++i) {
+    const Point p = pslg.points[i];
+    largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+    for (std::size_t k = 0; k < i; ++k)
+      least = std::min(least, std::hypot(p.x - pslg.points[k].x, p.y - pslg.points[k].y));
+  }
+  return largest / least;
+}
+
+PARDEL_PROPERTY(Generator, mixes_scales_to_valid_domains,
+                {.statement = "Every domain that mixes scales is valid, and so are its parts. Where there are two "
+                              "components, the domain begins with the points and segments of the first one, followed "
+                              "by those of the second one.",
+                 .source = "generators/mixed_scales.hpp",
+                 .families = every_family}) {
+  const Pslg one = to_pslg(*domains()), other = to_pslg(*domains());
+  Random random(*rc::gen::arbitrary<std::uint64_t>());
+  const Mixed mixed = mixed_scales(one, other, random, random.chance(4));
+  exhibit.show(mixed.pslg);
+  for (const Mixture mixture : mixed.what) RC_TAG(std::string(name(mixture)));
+  properties::classify(range_of_lengths(mixed.pslg) > 0x1p20, "lengths differ by more than 2^20", 60);
+  RC_ASSERT(find_problems(mixed.pslg).empty());
+  for (const Pslg& part : mixed.parts) RC_ASSERT(find_problems(part).empty());
+  properties::classify(mixed.parts.size() == 2, "two components", 15);
+  if (mixed.parts.size() != 2) return;
+  const Pslg &first = mixed.parts[0], &second = mixed.parts[1];
+  RC_ASSERT(std::ranges::equal(first.points, std::span(mixed.pslg.points).first(first.points.size())));
+  RC_ASSERT(std::ranges::equal(second.points,
+                               std::span(mixed.pslg.points).subspan(first.points.size(), second.points.size())));
+  RC_ASSERT(mixed.pslg.segments.size() == first.segments.size() + second.segments.size());
 }
 
 PARDEL_PROPERTY(Generator, cases_have_small_meshes,

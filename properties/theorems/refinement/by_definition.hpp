@@ -9,19 +9,9 @@
 #include "../../../core/pslg.hpp"
 #include "../../../ref/constrained.hpp"
 #include "../../../ref/faces.hpp"
+#include "plain_coordinates.hpp"
 
 namespace pardel::properties {
-
-/// The coordinates that ref/constrained.hpp takes: multiples of 2^-50 of absolute value at most 2^50. The box around
-/// the domain (triangulation_by_definition()) must be in this range too.
-[[nodiscard]] inline bool has_plain_coordinates(const Pslg& pslg) {
-  return std::ranges::all_of(pslg.points, [](Point p) {
-    const auto is_plain = [](double x) {
-      return std::abs(x) <= 0x1p47 && std::ldexp(x, 50) == std::floor(std::ldexp(x, 50));
-    };
-    return is_plain(p.x) && is_plain(p.y);
-  });
-}
 
 /// The constrained Delaunay triangulation of the domain in a larger box, without the faces of the exterior and of the
 /// holes. The outline separates the domain from the corners of the box. Without segments, the Delaunay triangulation of

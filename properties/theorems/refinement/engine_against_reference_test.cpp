@@ -12,7 +12,7 @@
 #include "../framework/shares.hpp"
 #include "by_definition.hpp"
 #include "cocircular_neighbours.hpp"
-#include "meshing.hpp"
+#include "mixed_scales.hpp"
 
 namespace pardel {
 
@@ -103,6 +103,31 @@ PARDEL_PROPERTY(EngineAgainstReference, triangulations_are_constrained_delaunay_
   exhibit.show(pslg, found);
   RC_ASSERT(ref::is_conformal(ref::to_plain_mesh(found)));
   RC_ASSERT(ref::is_constrained_delaunay(ref::to_plain_mesh(found)));
+}
+
+PARDEL_PROPERTY(EngineAgainstReference, triangulations_of_mixed_scales_are_those_of_the_definition,
+                {.statement = "Where scales are mixed, the engine's triangulation is conformal and constrained "
+                              "Delaunay by definition. Where all coordinates are multiples of 2^-97 of the largest "
+                              "one, it has as many triangles as the reference, and the same ones if only one "
+                              "triangulation is Delaunay.",
+                 .source = "ref/definitions.hpp; ref/constrained.hpp",
+                 .families = mixed_families}) {
+  const Pslg pslg = some_mixed_problem(exhibit, generators::all_mixtures(), 6).problem.pslg;
+  const Mesh found = value_of(triangulate(pslg)).mesh;
+  exhibit.show(pslg, found);
+  RC_ASSERT(ref::is_conformal(ref::to_plain_mesh(found)));
+  RC_ASSERT(ref::is_constrained_delaunay(ref::to_plain_mesh(found)));
+  const Pslg scaled = as_large_as_plain_coordinates(pslg);
+  const bool is_plain = has_plain_coordinates(scaled);
+  classify(is_plain, "compared with the reference", 25);
+  if (!is_plain) return;
+  const ref::PlainMesh expected = triangulation_by_definition(scaled);
+  RC_ASSERT(found.triangles.size() == expected.triangles.size());
+  const bool ambiguous = has_cocircular_neighbours(expected);
+  classify(!ambiguous, "only one Delaunay triangulation", 8);
+  if (ambiguous) return;
+  RC_ASSERT(sorted(found.triangles, [](const Triangle& t) { return t.v; }) ==
+            sorted(expected.triangles, [](const ref::Corners& t) { return t; }));
 }
 
 PARDEL_PROPERTY(EngineAgainstReference, a_conforming_mesh_of_a_hull_without_bounds_is_delaunay_by_definition,
