@@ -208,7 +208,6 @@ void mix(Prepared& prepared, const MeshCase& drawn) {
   Pslg other = prepared.pslg;
   if (random.chance(2)) other = to_pslg(generators::any_domain(random, largest_other));
   generators::Mixed mixed = mixed_scales(prepared.pslg, other, random);
-  if (is_vast_around_near_points(mixed)) return;
   prepared.far_off = std::ranges::find(mixed.what, generators::Mixture::component_far_off) != mixed.what.end();
   prepared.pslg = std::move(mixed.pslg);
 }

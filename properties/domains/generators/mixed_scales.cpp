@@ -429,25 +429,6 @@ const std::vector<Mixture>& all_mixtures() {
   return mixtures;
 }
 
-bool is_vast_around_near_points(const Mixed& mixed) {
-  using enum Mixture;
-  const std::vector<Mixture> inside{far_points_inside, far_points_of_hull, component_in_face, tiny_feature};
-  if (std::ranges::find_first_of(mixed.what, inside) == mixed.what.end()) return false;
-  const std::vector<Point>& points = mixed.pslg.points;
-  const std::vector<Segment>& segments = mixed.pslg.segments;
-  const auto distance = [&](Index a, Index b) {
-    return std::hypot(points[a].x - points[b].x, points[a].y - points[b].y);
-  };
-  double longest = 0, least = std::numeric_limits<double>::infinity();
-  for (const Segment& s : segments) longest = std::max(longest, distance(s.a, s.b));
-  for (Index a = 0; a < points.size(); ++a)
-    for (Index b = 0; b < a; ++b) {
-      least = std::min(least, distance(a, b));
-      if (segments.empty()) longest = std::max(longest, distance(a, b));
-    }
-  return longest > 0x1p55 * least;
-}
-
 const char* name(Mixture mixture) { return mixture_names[mixture]; }
 
 Mixed mixed_scales(const Pslg& domain, const Pslg& other, Random& random, bool allows_tiny,

@@ -48,8 +48,4 @@ struct Mixed {
 [[nodiscard]] Mixed mixed_scales(const Pslg& domain, const Pslg& other, Random& random, bool allows_tiny = false,
                                  const std::vector<Mixture>& mixtures = all_mixtures());
 
-/// True if an outline or a hull is more than 2^55 times as large as the distance of two points inside of it. There the
-/// engine misses bounds on angles beside the two points (a known fault); tests of meshes leave such cases out.
-[[nodiscard]] bool is_vast_around_near_points(const Mixed& mixed);
-
 }  // namespace pardel::generators
