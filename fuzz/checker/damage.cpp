@@ -1,5 +1,7 @@
 #include "damage.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "../../properties/defects/edit.hpp"
@@ -76,7 +78,7 @@ void damage_labels(Mesh& mesh, Random& random) {
       if (!mesh.point_markers.empty()) mesh.point_markers[v] = random.between(0, 3);
       break;
     case 3:
-      mesh.origin[v] = mesh.origin[any(mesh.origin.size(), random)];
+      if (!mesh.origin.empty()) mesh.origin[v] = mesh.origin[any(mesh.origin.size(), random)];
       break;
     case 4:
       if (!mesh.point_attributes.empty())
@@ -94,6 +96,19 @@ void damage(Mesh& mesh, Random& random) {
     damage_triangles(mesh, random);
   else
     damage_labels(mesh, random);
+}
+
+void damage_values(Mesh& mesh, Random& random) {
+  if (random.chance(2) && !mesh.point_attributes.empty()) {
+    // The last vertices are inserted ones.
+    const std::size_t n = mesh.point_attributes.size(), last = n - 1 - random.below(std::min<std::size_t>(n, 8));
+    double& value = mesh.point_attributes[last];
+    value = random.chance(8) ? std::nan("") : value + std::ldexp(random.chance(2) ? 1 : -1, random.between(-40, 4));
+    return;
+  }
+  if (mesh.region_attributes.empty()) mesh.region_attributes.push_back(random.between(0, 7));
+  if (mesh.region.empty()) mesh.region.resize(mesh.triangles.size(), no_index);
+  mesh.region[any(mesh.region.size(), random)] = any(mesh.region_attributes.size(), random);
 }
 
 }  // namespace pardel::fuzz

@@ -11,4 +11,8 @@ namespace pardel::fuzz {
 /// triangle, and arrays of the right lengths.
 void damage(Mesh& mesh, generators::Random& random);
 
+/// Gives a triangle a region, also in a mesh without regions; or changes an attribute of one of the last vertices, by a
+/// little or much. Precondition: the mesh has a triangle.
+void damage_values(Mesh& mesh, generators::Random& random);
+
 }  // namespace pardel::fuzz
