@@ -86,6 +86,7 @@ int fuzz_one(std::span<const std::uint8_t> bytes) {
     change_to_file(made, options, random);
     // A defect may have left arrays of other lengths.
     for (std::size_t n = kind == 1 ? 0 : random.below(3); n > 0; --n) damage_values(made, random);
+    if (random.chance(4)) nudge(made, random);
   }
   if (pslg == valid)
     compare(pslg, made, goal, options);

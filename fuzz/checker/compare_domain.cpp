@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include "compare.hpp"
 #include "correspondence.hpp"
@@ -20,6 +21,13 @@ std::set<Index> broken_or_off(const Findings& found, const Pslg& pslg) {
   return found.collect<Index>([&](const Violation& v, std::set<Index>& segments) {
     if (v.kind == broken_segment && v.ids.size() == 1) segments.insert(v.ids[0]);
     if (v.kind == chain_off_segment && v.ids[1] < pslg.segments.size()) segments.insert(v.ids[1]);
+  });
+}
+
+/// The triangles that contain the seed of a hole, with the number of the hole.
+std::set<std::pair<Index, Index>> in_holes(const Findings& found) {
+  return found.collect<std::pair<Index, Index>>([](const Violation& v, auto& pairs) {
+    if (v.kind == covered_exterior && v.ids.size() == 2) pairs.emplace(v.ids[0], v.ids[1]);
   });
 }
 
@@ -97,6 +105,7 @@ std::optional<Chains> compare_domain(const Judged& judged) {
   found.require(chains_meet, found.first(chains_meet), meeting);
   found.require(wrong_chain_order, found.first(wrong_chain_order), other_order);
   if (!meeting.empty()) return std::nullopt;
+  found.require(covered_exterior, in_holes(found), triangles_in_holes(mesh, *chains, pslg));
   if (has_labels) compare_labels(judged, *chains);
   if (other_order.empty()) compare_faces(judged, *chains);
   return chains;

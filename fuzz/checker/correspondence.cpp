@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "units.hpp"
+
 namespace pardel::fuzz {
 
 using ref::ExactPoint;
@@ -116,6 +118,24 @@ FacesOfChains::FacesOfChains(const ExactMesh& mesh, const Chains& chains, const 
   }
   for (const ref::Corners& c : mesh.plain.triangles)
     of_triangle.push_back(in_domain.at(drawn.around(CGAL::centroid(p[c[0]], p[c[1]], p[c[2]])).front()));
+}
+
+std::set<std::pair<Index, Index>> triangles_in_holes(const ExactMesh& mesh, const Chains& chains, const Pslg& pslg) {
+  std::set<std::pair<Index, Index>> found;
+  for (Index h = 0; h < pslg.holes.size(); ++h) {
+    const Point seed = pslg.holes[h];
+    std::set<Index> beside;  // the vertices of the chains that may have passed the seed
+    for (const auto& [wall, path] : chains)
+      if (is_within_two_units(seed, pslg.points[wall->a], pslg.points[wall->b]))
+        beside.insert(path.begin(), path.end());
+    for (Index t = 0; t < mesh.plain.triangles.size(); ++t) {
+      const auto& [a, b, c] = mesh.plain.triangles[t];
+      const auto& p = mesh.plain.points;
+      if (ref::Kernel::Triangle_2(p[a], p[b], p[c]).has_on_unbounded_side(ref::exact(seed))) continue;
+      if (!beside.contains(a) && !beside.contains(b) && !beside.contains(c)) found.emplace(t, h);
+    }
+  }
+  return found;
 }
 
 bool are_chains_of_the_domain(const ExactMesh& mesh, const Chains& chains, const Pslg& pslg, const InputFaces& faces) {

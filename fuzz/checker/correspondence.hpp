@@ -6,6 +6,7 @@
 #pragma once
 
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "chains.hpp"
@@ -34,6 +35,12 @@ struct FacesOfChains {
   /// If they correspond: per triangle, the face of the domain.
   std::vector<InputFaces::Face> of_triangle;
 };
+
+/// The triangles that contain the seed of a hole, each with the number of the hole. A seed that is at most two units
+/// off a wall does not count in a triangle with a corner on the chain of this wall: the chain may pass on its other
+/// side.
+[[nodiscard]] std::set<std::pair<Index, Index>> triangles_in_holes(const ExactMesh& mesh, const Chains& chains,
+                                                                   const Pslg& pslg);
 
 /// Is (V2) satisfied?
 [[nodiscard]] bool are_chains_of_the_domain(const ExactMesh& mesh, const Chains& chains, const Pslg& pslg,

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "../../properties/defects/edit.hpp"
+#include "../doubles.hpp"
 
 namespace pardel::fuzz {
 namespace {
@@ -96,6 +97,13 @@ void damage(Mesh& mesh, Random& random) {
     damage_triangles(mesh, random);
   else
     damage_labels(mesh, random);
+}
+
+void nudge(Mesh& mesh, Random& random) {
+  const std::size_t n = mesh.points.size();
+  Point& p = mesh.points[n - 1 - random.below(std::min<std::size_t>(n, 4))];
+  if (random.chance(4)) p = edit::between(p, mesh.points[any(n, random)], random.between(-20, 20) * 1e-10);
+  p = {moved(p.x, random.between(-3, 3)), moved(p.y, random.between(-3, 3))};
 }
 
 void damage_values(Mesh& mesh, Random& random) {

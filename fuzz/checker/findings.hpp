@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "../../properties/checker/check.hpp"
 #include "../fuzz_one.hpp"
@@ -13,6 +14,9 @@
 namespace pardel::fuzz {
 
 inline std::string text(Index i) { return "number " + std::to_string(i); }
+inline std::string text(const std::pair<Index, Index>& of_triangle_and_hole) {
+  return text(of_triangle_and_hole.first) + " with hole " + std::to_string(of_triangle_and_hole.second);
+}
 inline std::string text(const ref::Edge& e) { return "edge " + std::to_string(e[0]) + " " + std::to_string(e[1]); }
 
 /// The violations in a certificate.

@@ -5,7 +5,7 @@
 
 namespace pardel::fuzz {
 
-/// Draws a kind, a seed, a scale, and whether to damage the mesh as well. Fails if the checker does not report what the
+/// Draws a kind, a seed, a scale, and what else to change in the mesh. Fails if the checker does not report what the
 /// kind demands, or if it differs from the definitions. Returns what fuzz_one() returns.
 int try_wrong_mesh(Supply bytes);
 
