@@ -1,8 +1,10 @@
 #include "compare.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <utility>
+#include <vector>
 
 #include "causes.hpp"
 #include "definitions.hpp"
@@ -167,6 +169,9 @@ void compare_with_definitions(const Pslg& pslg, const Mesh& mesh, const Goal& go
 Certificate judge(const Pslg& pslg, const Mesh& mesh, const Goal& goal, const CheckOptions& options) {
   Certificate certificate = check(pslg, mesh, goal, options);
   if (certificate.valid != certificate.violations.empty()) fail("the verdict contradicts the list of violations");
+  std::vector<std::uint64_t> listed(violation_kinds, 0);
+  for (const Violation& violation : certificate.violations) ++listed[static_cast<std::size_t>(violation.kind)];
+  if (listed != certificate.violation_counts) fail("the numbers of violations contradict the list");
   return certificate;
 }
 

@@ -20,7 +20,8 @@ struct Judged {
   bool has_labels;  ///< the arrays of labels have the right lengths
 };
 
-/// The certificate of the checker. Fails if it contradicts itself.
+/// The certificate of the checker. Fails if it contradicts itself. Precondition: no violations are left out of its list
+/// (CheckOptions::max_violations).
 Certificate judge(const Pslg& pslg, const Mesh& mesh, const Goal& goal, const CheckOptions& options);
 
 /// Fails if the checker and the definitions differ in any rule. Returns the certificate. Precondition: the Pslg is
