@@ -29,6 +29,8 @@ void change_to_file(Mesh& mesh, CheckOptions& options, Random& random) {
   options.foreign = true;
   mesh.origin.clear();
   if (random.chance(4)) mesh.constrained_edges.clear();
+  if (random.chance(4))
+    for (Triangle& t : mesh.triangles) t.n = {no_index, no_index, no_index};
 }
 
 /// Other bounds than the mesh had to meet.

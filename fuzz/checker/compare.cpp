@@ -55,6 +55,12 @@ bool has_wrong_count(const Pslg& pslg, const Mesh& mesh, bool foreign) {
          mesh.point_attributes.size() != mesh.points.size() * mesh.attributes_per_point;
 }
 
+bool has_neighbours(const Mesh& mesh) {
+  return std::ranges::any_of(mesh.triangles, [](const Triangle& t) {
+    return std::ranges::any_of(t.n, [](Index n) { return n != no_index; });
+  });
+}
+
 /// The edges at which neighbours are wrong. A violation names places.
 Edges edges_with_wrong_neighbours(const Mesh& mesh, const Findings& found) {
   std::map<std::pair<double, double>, Index> vertex_at;
@@ -74,9 +80,10 @@ constexpr auto faults_of_structure = {duplicate_triangle, non_manifold_edge, non
 void compare_shapes(const Judged& judged) {
   const auto& [mesh, pslg, faces, goal, options, certificate, found, has_labels] = judged;
   for (const ViolationKind kind : faults_of_structure) found.require(kind, false);
-  // The checker computes the neighbours of a file that has none.
-  if (!options.foreign)
-    found.require(wrong_neighbour, edges_with_wrong_neighbours(mesh.given, found), with_wrong_neighbours(mesh));
+  // A file may have no neighbours.
+  const bool may_lack_neighbours = options.foreign && !has_neighbours(mesh.given);
+  found.require(wrong_neighbour, edges_with_wrong_neighbours(mesh.given, found),
+                may_lack_neighbours ? Edges{} : with_wrong_neighbours(mesh));
   found.require(large_area, found.first(large_area), larger_than(mesh, goal.max_area));
   found.require(long_edge, found.edges(long_edge), longer_than(mesh, goal.max_edge));
   // The lengths that follow from a limit on gradation have a definition and tests of their own (ref/wanted_length.hpp).
