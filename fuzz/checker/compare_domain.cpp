@@ -73,6 +73,14 @@ void compare_faces(const Judged& judged, const Chains& chains) {
   if (goal.region_caps) found.require(region_area, found.first(region_area), larger_than_caps(mesh, pslg, faces, face));
 }
 
+/// False if no choice of chains satisfies (V2).
+bool may_be_right(const Judged& judged, const PossibleChains& possible) {
+  const auto fits = [&](const Chains& choice) {
+    return are_chains_of_the_domain(judged.mesh, choice, judged.pslg, judged.faces);
+  };
+  return some_choice_fits(possible, fits).value_or(true);
+}
+
 }  // namespace
 
 std::optional<Chains> compare_domain(const Judged& judged) {
@@ -96,8 +104,7 @@ std::optional<Chains> compare_domain(const Judged& judged) {
   const std::set<Index> meeting = chains ? meeting_points(*chains, pslg) : std::set<Index>{};
   // Where chains meet that were chosen among others, the checker chooses again.
   if (!chains || (!meeting.empty() && possible.leave_a_choice())) {
-    const auto fits = [&](const Chains& choice) { return are_chains_of_the_domain(mesh, choice, pslg, faces); };
-    if (!found.has_any(faults_of_chains) && !some_choice_fits(possible, fits).value_or(true))
+    if (!found.has_any(faults_of_chains) && !may_be_right(judged, possible))
       fail("the checker accepts a mesh of which no choice of chains is right");
     return std::nullopt;
   }
