@@ -35,13 +35,12 @@ bool is_sharper(const ExactPoint& at, const ExactPoint& p, const ExactPoint& q, 
          squared(product) > squared(Number(cosine)) * CGAL::squared_distance(at, p) * CGAL::squared_distance(at, q);
 }
 
-/// Do p and q have the same distance from the apex, up to a share and to units? That is: not
-/// (1 - share) |far| > |near| + units, which is squared twice.
-bool are_on_one_shell(Point apex, Point p, Point q) {
-  const Number to_p = CGAL::squared_distance(ref::exact(apex), ref::exact(p));
-  const Number to_q = CGAL::squared_distance(ref::exact(apex), ref::exact(q));
-  const Number near = std::min(to_p, to_q), far = std::max(to_p, to_q);
-  const Number spare = shell_units * unit_at(apex, p, q);
+/// Do p and q have the same distance from the apex, up to a share and to `spare`? That is: not
+/// (1 - share) |far| > |near| + spare, which is squared twice.
+bool are_on_one_shell(const ExactPoint& apex, const ExactPoint& p, const ExactPoint& q, const Number& spare) {
+  const bool p_is_nearer = CGAL::compare_distance_to_point(apex, p, q) == CGAL::SMALLER;
+  const Number near = CGAL::squared_distance(apex, p_is_nearer ? p : q);
+  const Number far = CGAL::squared_distance(apex, p_is_nearer ? q : p);
   const Number rest = squared(1 - shell_share) * far - near - squared(spare);
   return rest <= 0 || squared(rest) <= 4 * squared(spare) * near;
 }
@@ -88,7 +87,7 @@ class Causes {
     const int ends = int(of_p.ends_at(p)) + int(of_q.ends_at(q));
     if (ends == 2) return false;
     return meet_below(ends == 0 ? cosine_of_60_degrees : cosine_of_one_degree, apex, of_p, of_q) &&
-           are_on_one_shell(at(apex), at(p), at(q));
+           are_on_one_shell(exact_at(apex), exact_at(p), exact_at(q), shell_units * unit_at(at(apex), at(p), at(q)));
   }
 
   /// Is the tangent of the angle at `corner` less than sin θ / (2 - cos θ), where θ is the angle of the two walls, even

@@ -100,7 +100,7 @@ std::optional<Chains> compare_domain(const Judged& judged) {
   if (!possible.are_whole) return std::nullopt;
   if (!found.has_any(faults_of_chains) && !with_another_border(mesh, pslg, faces).empty())
     fail("the checker accepts a border that touches itself elsewhere than that of the domain");
-  const std::optional<Chains> chains = meant_chains(mesh, possible);
+  std::optional<Chains> chains = meant_chains(mesh, possible);
   const std::set<Index> meeting = chains ? meeting_points(*chains, pslg) : std::set<Index>{};
   // Where chains meet that were chosen among others, the checker chooses again.
   if (!chains || (!meeting.empty() && possible.leave_a_choice())) {

@@ -1,5 +1,7 @@
 #include "labels.hpp"
 
+#include <gmpxx.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +11,6 @@ namespace pardel::fuzz {
 
 using ref::Corners;
 using ref::Edge;
-using ref::Number;
 
 namespace {
 
@@ -114,8 +115,8 @@ bool is_in_range(double value, const Pslg& pslg, std::size_t k) {
   if (!std::ranges::all_of(of_input, [](double given) { return std::isfinite(given); })) return true;
   if (!std::isfinite(value)) return false;
   const auto [least, greatest] = std::ranges::minmax(of_input);
-  const Number spare = Number(1e-9) * std::max(std::abs(least), std::abs(greatest));
-  return Number(least) - spare <= value && value <= Number(greatest) + spare;
+  const mpq_class spare = mpq_class(1e-9) * std::max(std::abs(least), std::abs(greatest));
+  return least - spare <= value && value <= greatest + spare;
 }
 
 }  // namespace
