@@ -47,6 +47,7 @@ std::vector<Wall> walls_of(const Pslg& pslg, bool convex_hull) {
 
 std::vector<PlaneFaces::Line> lines_of(const Pslg& pslg, const std::vector<Wall>& walls) {
   std::vector<PlaneFaces::Line> lines;
+  lines.reserve(walls.size());
   for (const Wall& wall : walls) lines.emplace_back(ref::exact(pslg.points[wall.a]), ref::exact(pslg.points[wall.b]));
   return lines;
 }

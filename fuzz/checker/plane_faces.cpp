@@ -38,6 +38,7 @@ Number twice_area(Circulator first) {
 
 PlaneFaces::PlaneFaces(const std::vector<Line>& lines) : arrangement_(std::make_unique<Arrangement>()) {
   std::vector<ref::Kernel::Segment_2> curves;
+  curves.reserve(lines.size());
   for (const auto& [a, b] : lines) curves.emplace_back(a, b);
   CGAL::insert(*arrangement_, curves.begin(), curves.end());
 }
