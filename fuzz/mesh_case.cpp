@@ -247,7 +247,7 @@ MeshCase decode_mesh_case(std::span<const std::uint8_t> bytes) {
 }
 
 MeshCase decode_small_case(std::span<const std::uint8_t> bytes) {
-  return decode_mesh_case(bytes.first(std::min(bytes.size(), header_bytes + 5 * stroke_bytes)));
+  return decode_mesh_case(bytes.first(std::min(bytes.size(), small_case_bytes)));
 }
 
 Prepared prepare(const MeshCase& drawn) {

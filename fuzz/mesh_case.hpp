@@ -44,6 +44,9 @@ struct Prepared {
 };
 [[nodiscard]] Prepared prepare(const MeshCase& drawn);
 
+/// How many bytes decode_small_case() reads at most. What follows is free for a target.
+inline constexpr std::size_t small_case_bytes = header_bytes + 5 * stroke_bytes;
+
 /// The case of the first five strokes. For targets that compare with the definitions, which take cubic time.
 [[nodiscard]] MeshCase decode_small_case(std::span<const std::uint8_t> bytes);
 

@@ -1,8 +1,11 @@
 #include "damage.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "../../properties/defects/edit.hpp"
+#include "../doubles.hpp"
 
 namespace pardel::fuzz {
 namespace {
@@ -76,7 +79,7 @@ void damage_labels(Mesh& mesh, Random& random) {
       if (!mesh.point_markers.empty()) mesh.point_markers[v] = random.between(0, 3);
       break;
     case 3:
-      mesh.origin[v] = mesh.origin[any(mesh.origin.size(), random)];
+      if (!mesh.origin.empty()) mesh.origin[v] = mesh.origin[any(mesh.origin.size(), random)];
       break;
     case 4:
       if (!mesh.point_attributes.empty())
@@ -94,6 +97,26 @@ void damage(Mesh& mesh, Random& random) {
     damage_triangles(mesh, random);
   else
     damage_labels(mesh, random);
+}
+
+void nudge(Mesh& mesh, Random& random) {
+  const std::size_t n = mesh.points.size();
+  Point& p = mesh.points[n - 1 - random.below(std::min<std::size_t>(n, 4))];
+  if (random.chance(4)) p = edit::between(p, mesh.points[any(n, random)], random.between(-20, 20) * 1e-10);
+  p = {moved(p.x, random.between(-3, 3)), moved(p.y, random.between(-3, 3))};
+}
+
+void damage_values(Mesh& mesh, Random& random) {
+  if (random.chance(2) && !mesh.point_attributes.empty()) {
+    // The last vertices are inserted ones.
+    const std::size_t n = mesh.point_attributes.size(), last = n - 1 - random.below(std::min<std::size_t>(n, 8));
+    double& value = mesh.point_attributes[last];
+    value = random.chance(8) ? std::nan("") : value + std::ldexp(random.chance(2) ? 1 : -1, random.between(-40, 4));
+    return;
+  }
+  if (mesh.region_attributes.empty()) mesh.region_attributes.push_back(random.between(0, 7));
+  if (mesh.region.empty()) mesh.region.resize(mesh.triangles.size(), no_index);
+  mesh.region[any(mesh.region.size(), random)] = any(mesh.region_attributes.size(), random);
 }
 
 }  // namespace pardel::fuzz

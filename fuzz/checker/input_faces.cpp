@@ -1,8 +1,5 @@
 #include "input_faces.hpp"
 
-#include <CGAL/Arr_segment_traits_2.h>
-#include <CGAL/Arr_walk_along_line_point_location.h>
-#include <CGAL/Arrangement_2.h>
 #include <CGAL/convex_hull_2.h>
 
 #include <algorithm>
@@ -39,64 +36,40 @@ std::vector<Wall> sides_of_hull(const Pslg& pslg) {
   return sides;
 }
 
-/// Twice the signed area within a closed walk.
-template <class Circulator>
-Number twice_area(Circulator first) {
-  Number sum = 0;
-  Circulator at = first;
-  do {
-    const auto &p = at->source()->point(), &q = at->target()->point();
-    sum += p.x() * q.y() - q.x() * p.y();
-  } while (++at != first);
-  return sum;
+std::vector<Wall> walls_of(const Pslg& pslg, bool convex_hull) {
+  std::vector<Wall> walls;
+  for (Index s = 0; s < pslg.segments.size(); ++s)
+    walls.push_back({pslg.segments[s].a, pslg.segments[s].b, s, pslg.segments[s].marker});
+  if (convex_hull || pslg.segments.empty())
+    for (const Wall& side : sides_of_hull(pslg)) walls.push_back(side);
+  return walls;
+}
+
+std::vector<PlaneFaces::Line> lines_of(const Pslg& pslg, const std::vector<Wall>& walls) {
+  std::vector<PlaneFaces::Line> lines;
+  lines.reserve(walls.size());
+  for (const Wall& wall : walls) lines.emplace_back(ref::exact(pslg.points[wall.a]), ref::exact(pslg.points[wall.b]));
+  return lines;
 }
 
 }  // namespace
 
-using ArrangementOfSegments = CGAL::Arrangement_2<CGAL::Arr_segment_traits_2<ref::Kernel>>;
-
-struct InputFaces::Arrangement : ArrangementOfSegments {
-  [[nodiscard]] InputFaces::Face number(Face_const_handle face) const {
-    return static_cast<std::size_t>(std::distance(faces_begin(), Face_const_iterator(face)));
-  }
-};
-
-InputFaces::InputFaces(const Pslg& pslg, bool convex_hull) : arrangement_(std::make_unique<Arrangement>()) {
-  for (Index s = 0; s < pslg.segments.size(); ++s)
-    walls_.push_back({pslg.segments[s].a, pslg.segments[s].b, s, pslg.segments[s].marker});
-  if (convex_hull || pslg.segments.empty())
-    for (const Wall& side : sides_of_hull(pslg)) walls_.push_back(side);
-  std::vector<ref::Kernel::Segment_2> curves;
-  for (const Wall& wall : walls_) curves.emplace_back(ref::exact(pslg.points[wall.a]), ref::exact(pslg.points[wall.b]));
-  CGAL::insert(*arrangement_, curves.begin(), curves.end());
-  outside_.insert(arrangement_->number(arrangement_->unbounded_face()));
+InputFaces::InputFaces(const Pslg& pslg, bool convex_hull)
+    : walls_(walls_of(pslg, convex_hull)), faces_(lines_of(pslg, walls_)) {
+  outside_.insert(faces_.outside());
   for (const Point seed : pslg.holes) outside_.insert(face_at(ref::exact(seed)));
   for (const Region& region : pslg.regions) face_of_region_.push_back(face_at(ref::exact(region.seed)));
-  for (Wall& wall : walls_)
-    wall.sides_inside = count_inside(CGAL::midpoint(ref::exact(pslg.points[wall.a]), ref::exact(pslg.points[wall.b])));
-}
-
-InputFaces::~InputFaces() = default;
-
-std::vector<InputFaces::Face> InputFaces::around(const ExactPoint& p) const {
-  const CGAL::Arr_walk_along_line_point_location<ArrangementOfSegments> location(*arrangement_);
-  const auto found = location.locate(p);
-  std::vector<Face> faces;
-  if (const auto* face = boost::get<Arrangement::Face_const_handle>(&found)) faces = {arrangement_->number(*face)};
-  if (const auto* edge = boost::get<Arrangement::Halfedge_const_handle>(&found))
-    faces = {arrangement_->number((*edge)->face()), arrangement_->number((*edge)->twin()->face())};
-  if (const auto* vertex = boost::get<Arrangement::Vertex_const_handle>(&found)) {
-    const auto first = (*vertex)->incident_halfedges();
-    auto at = first;
-    do faces.push_back(arrangement_->number(at->face()));
-    while (++at != first);
+  for (Wall& wall : walls_) {
+    const ExactPoint a = ref::exact(pslg.points[wall.a]), b = ref::exact(pslg.points[wall.b]);
+    wall.left = faces_.left_of(a, b);
+    wall.right = faces_.left_of(b, a);
+    wall.left_inside = is_inside(wall.left);
+    wall.right_inside = is_inside(wall.right);
   }
-  return faces;
 }
 
-int InputFaces::count_inside(const ExactPoint& p) const {
-  const std::vector<Face> faces = around(p);
-  return static_cast<int>(std::ranges::count_if(faces, [&](Face face) { return is_inside(face); }));
+bool InputFaces::contains(const ExactPoint& p) const {
+  return std::ranges::any_of(faces_.around(p), [&](Face face) { return is_inside(face); });
 }
 
 std::set<Index> InputFaces::regions_in(Face face) const {
@@ -107,13 +80,10 @@ std::set<Index> InputFaces::regions_in(Face face) const {
 }
 
 Number InputFaces::area() const {
-  Number twice = 0;
-  for (auto face = arrangement_->faces_begin(); face != arrangement_->faces_end(); ++face) {
-    if (!is_inside(arrangement_->number(face))) continue;
-    for (auto outer = face->outer_ccbs_begin(); outer != face->outer_ccbs_end(); ++outer) twice += twice_area(*outer);
-    for (auto inner = face->inner_ccbs_begin(); inner != face->inner_ccbs_end(); ++inner) twice += twice_area(*inner);
-  }
-  return twice / 2;
+  Number sum = 0;
+  for (Face face = 0; face < faces_.count(); ++face)
+    if (is_inside(face)) sum += faces_.area(face);
+  return sum;
 }
 
 }  // namespace pardel::fuzz
