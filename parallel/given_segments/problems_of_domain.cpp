@@ -10,7 +10,7 @@
 namespace pardel::engine {
 namespace {
 
-struct TravellingPoint {
+struct NumberedPoint {
   std::uint64_t number;
   Point at;
 };
@@ -21,9 +21,9 @@ Pslg whole_of(const std::vector<Ranks::Bytes>& messages, std::uint64_t points, c
   whole.points.resize(static_cast<std::size_t>(points));
   for (const Ranks::Bytes& message : messages) {
     Reader reader(message);
-    const auto arrived = reader.packed_list<TravellingPoint>();
+    const auto arrived = reader.packed_list<NumberedPoint>();
     for (std::size_t i = 0; i < arrived.size(); ++i) {
-      const TravellingPoint point = arrived[i];
+      const NumberedPoint point = arrived[i];
       if (point.number >= points) throw Reader::does_not_match();
       whole.points[point.number] = point.at;
     }
@@ -38,9 +38,9 @@ Pslg whole_of(const std::vector<Ranks::Bytes>& messages, std::uint64_t points, c
 Status status_of_whole(const LocalDelaunay& delaunay, const OwnPoints& own, const PartOfSegments& segments,
                        const Pslg& rest, bool convex_hull, Ranks& ranks, const Threads& threads) {
   Writer message;
-  message.list_of<TravellingPoint>(delaunay.own(), [&](std::size_t i) {
+  message.list_of<NumberedPoint>(delaunay.own(), [&](std::size_t i) {
     const auto v = static_cast<VertexId>(i);
-    return TravellingPoint{own.number[v], delaunay.site(v).at};
+    return NumberedPoint{own.number[v], delaunay.site(v).at};
   });
   message.list(segments.segments);
   const std::vector<Ranks::Bytes> all = to_first(message.take(), ranks);
