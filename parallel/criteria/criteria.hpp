@@ -30,10 +30,12 @@ class Criteria {
     // The smallest angle lies between the two longer sides. Its sine is twice the area divided by their product.
     return s.twice_area * s.twice_area < squared_sine_ * (s.middle_squared() * s.longest_squared());
   }
-  /// True if the angle at this corner is below the bound.
-  [[nodiscard]] bool is_small(const Measure& m, unsigned corner) const {
-    return m.dot_at(corner) > 0 && m.twice_area * m.twice_area < squared_sine_ * (m.squared[next_corner[corner]] *
-                                                                                  m.squared[previous_corner[corner]]);
+  /// True if the angle at `corner` is below the bound, where the triangle has this area. The squares of the sides would
+  /// not tell on which side of 90 degrees an angle is that the shortest side of a thin triangle forms.
+  [[nodiscard]] bool is_small(double twice_area, Point corner, Point p, Point q) const {
+    const double px = p.x - corner.x, py = p.y - corner.y, qx = q.x - corner.x, qy = q.y - corner.y;
+    return px * qx + py * qy > 0 &&
+           twice_area * twice_area < squared_sine_ * ((px * px + py * py) * (qx * qx + qy * qy));
   }
   /// True if the area exceeds the bound that holds everywhere.
   template <class T>

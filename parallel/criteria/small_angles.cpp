@@ -251,8 +251,12 @@ std::optional<SmallAngle> small_angle(const Triangulation& t, const DomainSegmen
   const unsigned smallest = measure.shortest_side();
   const std::optional<SmallAngle> found = small_angle_at(smallest, t, segments, slot);
   if (!found) return {};
+  const auto is_small = [&](unsigned corner) {
+    return criteria.is_small(measure.twice_area, t.points[slot.v[corner]], t.points[slot.from(corner)],
+                             t.points[slot.to(corner)]);
+  };
   for (const unsigned corner : {next_corner[smallest], previous_corner[smallest]})
-    if (criteria.is_small(measure, corner) && !small_angle_at(corner, t, segments, slot)) return {};
+    if (is_small(corner) && !small_angle_at(corner, t, segments, slot)) return {};
   return found;
 }
 

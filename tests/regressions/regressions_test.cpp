@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <set>
 #include <string>
 
 #include "../../core/formats.hpp"
@@ -121,6 +122,20 @@ TEST(BoundsRegression, slivers_along_a_side_in_a_huge_outline_do_not_keep_it_fro
   ASSERT_TRUE(meshed) << meshed.error().message;
   EXPECT_TRUE(meshed->report.exempt.empty());
   EXPECT_TRUE(check(pslg, meshed->mesh, goal).valid);
+}
+
+/// Of a thin triangle, an angle beside the shortest side was taken for an obtuse one, and needed no cause.
+TEST(BoundsRegression, the_report_and_the_checker_justify_the_same_angles_beside_a_side_of_the_hull) {
+  const Pslg pslg = domain_for_bounds("hull_side_beside_a_nearly_straight_chain");
+  const Goal goal{.min_angle_deg = 10, .convex_hull = true};
+  const Result<Meshed> meshed = mesh(pslg, goal);
+  ASSERT_TRUE(meshed) << meshed.error().message;
+  std::set<Index> reported, found;
+  for (const Exemption& e : meshed->report.exempt)
+    if (justified(e.reason)) reported.insert(e.triangle);
+  const Certificate certificate = check(pslg, meshed->mesh, goal);
+  for (const Justified& j : certificate.justified) found.insert(j.triangle);
+  EXPECT_EQ(reported, found);
 }
 
 /// On most of the slanted side, x is too small for the predicates. Vertices there were moved to x = 0, which is far
