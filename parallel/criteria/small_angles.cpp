@@ -249,14 +249,17 @@ Point edge_split_point(const Triangulation& t, const DomainSegments& segments, I
 std::optional<SmallAngle> small_angle(const Triangulation& t, const DomainSegments& segments, const Criteria& criteria,
                                       const Slot& slot, const Measure& measure) {
   const unsigned smallest = measure.shortest_side();
+  // Most triangles: no side is constrained, and an end of the shortest side lies inside a face.
+  const bool is_apart =
+      t.origin[slot.from(smallest)] == interior_vertex || t.origin[slot.to(smallest)] == interior_vertex;
+  if (is_apart && !slot.any_constrained()) return {};
   const std::optional<SmallAngle> found = small_angle_at(smallest, t, segments, slot);
   if (!found) return {};
-  const auto is_small = [&](unsigned corner) {
-    return criteria.is_small(measure.twice_area, t.points[slot.v[corner]], t.points[slot.from(corner)],
-                             t.points[slot.to(corner)]);
-  };
-  for (const unsigned corner : {next_corner[smallest], previous_corner[smallest]})
-    if (is_small(corner) && !small_angle_at(corner, t, segments, slot)) return {};
+  for (const unsigned corner : {next_corner[smallest], previous_corner[smallest]}) {
+    const Point at = t.points[slot.v[corner]], from = t.points[slot.from(corner)], to = t.points[slot.to(corner)];
+    const bool is_small = criteria.is_small(measure.twice_area, at, from, to);
+    if (is_small && !small_angle_at(corner, t, segments, slot)) return {};
+  }
   return found;
 }
 
