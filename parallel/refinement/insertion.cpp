@@ -192,6 +192,7 @@ Outcome Insertion::edge_by_flips(Point p, EdgeRef e, Index segment) {
   flipped_.clear();
   e = make_room(t_, e, p, flipped_);
   if (e.none()) return Outcome::refused;
+  // Only the two triangles at e are replaced. Since there is room, p sees their other sides, and the fan is positive.
   const auto corners = corners_around(t_, p);
   static_cast<void>(cavity_.find_on_edge(t_, e, SingleTriangleQuery(t_, no_triangle, corners, any_vertex)));
   commit(p, origin_on_segment(segment));

@@ -82,6 +82,7 @@ EdgeRef flipped(Triangulation& t, EdgeRef e, Flips flips, std::vector<TriangleId
 
 EdgeRef make_room(Triangulation& t, EdgeRef e, Point p, std::vector<TriangleId>& changed) {
   const EdgeRef other = t.slot(e).n[e.side()];
+  // Flips on one side of e take triangles whose other corners lie on this side, so they leave the other side as it is.
   const std::optional<Flips> here = Beside(t, e, p).flips_for_room();
   const std::optional<Flips> there = other.none() ? Flips{} : Beside(t, other, p).flips_for_room();
   if (!here || !there) return {};

@@ -4,7 +4,9 @@
 #include <CGAL/Gmpq.h>
 #include <CGAL/Interval_nt.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 #include "text.hpp"
@@ -141,12 +143,17 @@ bool line_offset_exceeds(Point p, Point a, Point b, Units units) {
 }
 
 double tangent_across_shell(Point apex, Point p, Point q) {
-  const double cross = std::abs(CGAL::to_double(doubled_area(apex, p, q, rational)));
-  const double product = CGAL::to_double(dot(apex, p, apex, q, rational));
-  const double lengths = std::sqrt(CGAL::to_double(squared_length(apex, p, rational))) *
-                         std::sqrt(CGAL::to_double(squared_length(apex, q, rational)));
+  const double extent = std::max({std::abs(p.x - apex.x), std::abs(p.y - apex.y), std::abs(q.x - apex.x),
+                                  std::abs(q.y - apex.y), std::numeric_limits<double>::min()});
+  // All quadratic terms are scaled alike, so that none overflows.
+  const auto scale = rational(std::ldexp(1.0, -std::ilogb(extent)));
+  const auto scaled = [&](const auto& term) { return CGAL::to_double(term * scale * scale); };
+  const double cross = std::abs(scaled(doubled_area(apex, p, q, rational)));
+  const double product = scaled(dot(apex, p, apex, q, rational));
+  const double lengths =
+      std::sqrt(scaled(squared_length(apex, p, rational))) * std::sqrt(scaled(squared_length(apex, q, rational)));
   const double tangent = cross / (2 * lengths - product);
-  return std::isfinite(tangent) ? tangent : 0;  // squares of the largest coordinates overflow
+  return std::isfinite(tangent) ? tangent : std::numeric_limits<double>::max();  // excuses nothing
 }
 
 bool tangent_is_below(Point corner, Point p, Point q, double bound, double error) {

@@ -10,7 +10,7 @@ namespace pardel::checker {
 
 bool AttributeRange::contains(double value) const {
   const double spare = attribute_tolerance * std::max(std::abs(least), std::abs(greatest));
-  return value >= least - spare && value <= greatest + spare;
+  return std::isfinite(value) && value >= least - spare && value <= greatest + spare;
 }
 
 AttributeRanges::AttributeRanges(const Pslg& pslg) : pslg_(&pslg) {

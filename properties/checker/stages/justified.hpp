@@ -3,14 +3,14 @@
 // The smallest angle of a mesh is at most the smallest angle of its input. Near a small input angle, refinement by
 // shells has to leave some triangles with angles below the bound (Miller, Pav, Walkington, "When and why Ruppert's
 // algorithm works", 2003). Every angle below the bound needs a cause of its own. It is justified if
-// - it is nestled: it lies at an input vertex, between pieces of two segments that meet there at less than 60 degrees,
-// and
-//   it is their angle up to rounding; or
-// - the edge opposite is seditious, and the angle is large enough. Seditious edges join vertices strictly inside two
-//   segments that share an end, the apex, at an angle θ of less than 60 degrees; both vertices have the same distance
-//   from the apex ("lie on one shell"). Below about one degree, one of the two can be the end of its segment: the
-//   longer segment is split beside the end of the shorter one. The least angle is arctan(sin θ / (2 - cos θ)), that of
-//   a triangle with its third corner on the next shell, twice as far away.
+// - it is nestled: it lies at an input vertex, between pieces of two segments that meet there at less than 60 degrees;
+//   or
+// - the edge opposite is seditious. Seditious edges join vertices strictly inside two segments that share an end, the
+//   apex, at an angle θ of less than 60 degrees; both vertices have the same distance from the apex ("lie on one
+//   shell"). Below about one degree, one of the two can be the end of its segment: the longer segment is split beside
+//   the end of the shorter one.
+// In both cases the angle has to be at least arctan(sin θ / (2 - cos θ)), that of a triangle with its third corner on
+// the next shell, twice as far away.
 // Rounded vertices count as equally distant within a tolerance, see tolerances.hpp.
 #pragma once
 
