@@ -22,8 +22,9 @@ void print(const Pslg& pslg, const Goal& goal) {
               static_cast<bool>(goal.size), goal.grading, goal.feature_edges);
 }
 
-void print(const fuzz::MeshCase& drawn) {
-  const auto& [pslg, goal, options, nudged, again, threads, ranks, seed, mixture] = drawn;
+/// `pslg`: the domain that is written.
+void print(const Pslg& pslg, const fuzz::MeshCase& drawn) {
+  const auto& [original, goal, options, nudged, again, threads, ranks, seed, mixture] = drawn;
   print(pslg, goal);
   std::printf("placement %d, decomposition %d, triangles per tile %u, vertices %llu, least edge %g, no splits %d %d\n",
               static_cast<int>(options.placement), static_cast<int>(options.decomposition), options.triangles_per_tile,
@@ -49,8 +50,8 @@ int main(int argc, char** argv) try {
     pslg = drawn.pslg;
   } else {
     const fuzz::MeshCase drawn = fuzz::decode_mesh_case(bytes);
-    print(drawn);
     pslg = drawn.mixture != 0 && target != "repair" ? fuzz::prepare(drawn).pslg : drawn.pslg;
+    print(pslg, drawn);
   }
   for (const Status& written : {write_poly(pslg, stem + ".poly"), write_svg(pslg, stem + ".svg")})
     if (!written) {
