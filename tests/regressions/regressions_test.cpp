@@ -138,6 +138,17 @@ TEST(BoundsRegression, the_report_and_the_checker_justify_the_same_angles_beside
   EXPECT_EQ(reported, found);
 }
 
+/// The circumcentre of a thin triangle was computed from an area that rounding had made 0, and was not finite.
+TEST(BoundsRegression, circumcentres_of_thin_triangles_are_placed_in_the_cells_of_the_paper) {
+  const Pslg pslg = domain_for_bounds("thin_triangles_in_cells_of_the_paper");
+  const Goal goal{.min_angle_deg = 20.7, .conforming = true};
+  const Result<Meshed> meshed =
+      mesh(pslg, goal, {.placement = Placement::circumcentre, .decomposition = Decomposition::paper});
+  ASSERT_TRUE(meshed) << meshed.error().message;
+  EXPECT_TRUE(meshed->report.goal_met());
+  EXPECT_TRUE(check(pslg, meshed->mesh, goal).valid);
+}
+
 /// On most of the slanted side, x is too small for the predicates. Vertices there were moved to x = 0, which is far
 /// beside the side for coordinates of this size.
 TEST(BoundsRegression, a_side_with_a_tiny_slope_has_its_vertices_on_it) {
