@@ -2,6 +2,8 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "../arithmetic/predicates.hpp"
 #include "../triangulation/flips.hpp"
@@ -13,9 +15,11 @@ namespace {
 /// The end of the edge around which diagonals are flipped.
 enum class Pivot : std::uint8_t { from, to };
 
+/// Which diagonals around the pivot are flipped, one after the other: their places among those that are left, counted
+/// from the edge.
 struct Flips {
   Pivot around = Pivot::from;
-  int count = 0;
+  std::vector<std::size_t> places;
 };
 
 /// The triangle on one side of an edge from a to b.
@@ -23,14 +27,13 @@ class Beside {
  public:
   Beside(const Triangulation& t, EdgeRef e, Point p) : t_(t), e_(e), p_(p), a_(at(from(e))), b_(at(to(e))) {}
 
-  /// The fewest flips after which p sees both other sides; nothing if there are none.
+  /// Flips after which p sees both other sides; nothing if there are none.
   [[nodiscard]] std::optional<Flips> flips_for_room() const {
     const Point apex = at(t_.slot(e_).apex(e_.side()));
     const bool sees_far_side = orient2d(b_, apex, p_) > 0, sees_near_side = orient2d(apex, a_, p_) > 0;
     if (sees_far_side && sees_near_side) return Flips{};
     if (!sees_far_side && !sees_near_side) return {};
-    const Pivot around = sees_far_side ? Pivot::to : Pivot::from;
-    return turned(around, apex);
+    return turned(sees_far_side ? Pivot::to : Pivot::from, apex);
   }
 
  private:
@@ -41,23 +44,42 @@ class Beside {
     return t_.points[v];
   }
 
-  /// Passes the triangles around the pivot until p sees both sides between the edge and the corner `tip` of the last
-  /// one. All quadrilaterals on the way have to be convex.
-  [[nodiscard]] std::optional<Flips> turned(Pivot around, Point tip) const {
+  /// Passes the triangles around the pivot until p sees both sides between the edge and the far corner of the last one.
+  [[nodiscard]] std::optional<Flips> turned(Pivot around, Point apex) const {
     const bool around_a = around == Pivot::from;
+    std::vector<Point> rim{around_a ? b_ : a_, apex};  // the corners that have been passed
     EdgeRef diagonal(e_.triangle(), around_a ? previous_corner[e_.side()] : next_corner[e_.side()]);
-    for (int count = 1;; ++count) {
+    while (true) {
       const EdgeRef across = t_.slot(diagonal).n[diagonal.side()];
       if (across.constrained() || t_.slot(across).is_ghost()) return {};
-      const Point next = at(t_.slot(across).apex(across.side()));
-      const bool is_convex = around_a ? orient2d(b_, tip, next) > 0 : orient2d(a_, next, tip) > 0;
-      if (!is_convex || orient2d(a_, b_, next) <= 0) return {};
-      const bool sees_far_side = orient2d(b_, next, p_) > 0, sees_near_side = orient2d(next, a_, p_) > 0;
-      if (sees_far_side && sees_near_side) return Flips{around, count};
+      rim.push_back(at(t_.slot(across).apex(across.side())));
+      if (orient2d(a_, b_, rim.back()) <= 0) return {};
+      const bool sees_far_side = orient2d(b_, rim.back(), p_) > 0, sees_near_side = orient2d(rim.back(), a_, p_) > 0;
       if (!(around_a ? sees_near_side : sees_far_side)) return {};
-      tip = next;
+      if (sees_far_side && sees_near_side)
+        if (auto places = ears(around, rim)) return Flips{around, std::move(*places)};
       diagonal = EdgeRef(across.triangle(), around_a ? previous_corner[across.side()] : next_corner[across.side()]);
     }
+  }
+
+  /// The order in which the diagonals from the pivot to the inner corners of the rim can be flipped: each when its
+  /// quadrilateral is convex, that is, when its corner is an ear of what is left of the rim. Nothing if some cannot.
+  [[nodiscard]] std::optional<std::vector<std::size_t>> ears(Pivot around, std::vector<Point> rim) const {
+    const bool around_a = around == Pivot::from;
+    const auto turns_left = [&](Point u, Point v, Point w) {
+      return (around_a ? orient2d(u, v, w) : orient2d(w, v, u)) > 0;
+    };
+    std::vector<std::size_t> places;
+    while (rim.size() > 2) {
+      std::size_t i = 1;
+      while (i + 1 < rim.size() &&
+             !(turns_left(rim[i - 1], rim[i], rim[i + 1]) && turns_left(around_a ? a_ : b_, rim[i - 1], rim[i + 1])))
+        ++i;
+      if (i + 1 == rim.size()) return {};
+      places.push_back(i - 1);
+      rim.erase(rim.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+    return places;
   }
 
   const Triangulation& t_;
@@ -66,14 +88,19 @@ class Beside {
 };
 
 /// Returns the edge as a side of the triangle that it has after the flips.
-EdgeRef flipped(Triangulation& t, EdgeRef e, Flips flips, std::vector<TriangleId>& changed) {
-  for (int i = 0; i < flips.count; ++i) {
-    const bool around_from = flips.around == Pivot::from;
-    const EdgeRef diagonal(e.triangle(), around_from ? previous_corner[e.side()] : next_corner[e.side()]);
+EdgeRef flipped(Triangulation& t, EdgeRef e, const Flips& flips, std::vector<TriangleId>& changed) {
+  const bool around_from = flips.around == Pivot::from;
+  const auto& towards_pivot = around_from ? previous_corner : next_corner;
+  for (const std::size_t place : flips.places) {
+    EdgeRef diagonal(e.triangle(), towards_pivot[e.side()]);
+    for (std::size_t i = 0; i < place; ++i) {
+      const EdgeRef across = t.slot(diagonal).n[diagonal.side()];
+      diagonal = EdgeRef(across.triangle(), towards_pivot[across.side()]);
+    }
     const TriangleId across = t.slot(diagonal).n[diagonal.side()].triangle();
     flip(t, diagonal);
-    changed.insert(changed.end(), {e.triangle(), across});
-    e = around_from ? EdgeRef(across, 0) : EdgeRef(e.triangle(), 2);
+    changed.insert(changed.end(), {diagonal.triangle(), across});
+    if (place == 0) e = around_from ? EdgeRef(across, 0) : EdgeRef(e.triangle(), 2);
   }
   return e;
 }

@@ -116,12 +116,16 @@ TEST(BoundsRegression, near_points_in_a_huge_outline_are_refined_wherever_points
 
 /// The vertices of a side form slivers, because everything else is far away. They left no room for splits of the side.
 TEST(BoundsRegression, slivers_along_a_side_in_a_huge_outline_do_not_keep_it_from_being_split) {
-  const Pslg pslg = domain_for_bounds("capped_triangle_in_a_huge_outline");
-  const Goal goal{.min_angle_deg = 0, .region_caps = true, .conforming = true};
-  const Result<Meshed> meshed = mesh(pslg, goal);
-  ASSERT_TRUE(meshed) << meshed.error().message;
-  EXPECT_TRUE(meshed->report.exempt.empty());
-  EXPECT_TRUE(check(pslg, meshed->mesh, goal).valid);
+  for (const char* name : {"capped_triangle_in_a_huge_outline", "zigzag_along_a_side_in_a_huge_outline"}) {
+    const Pslg pslg = domain_for_bounds(name);
+    for (const bool conforming : {false, true}) {
+      const Goal goal{.min_angle_deg = 0, .region_caps = true, .conforming = conforming};
+      const Result<Meshed> meshed = mesh(pslg, goal);
+      ASSERT_TRUE(meshed) << meshed.error().message;
+      EXPECT_TRUE(meshed->report.exempt.empty()) << name;
+      EXPECT_TRUE(check(pslg, meshed->mesh, goal).valid) << name;
+    }
+  }
 }
 
 /// Of a thin triangle, an angle beside the shortest side was taken for an obtuse one, and needed no cause.
