@@ -125,10 +125,8 @@ double Criteria::filling_height(const SizeBounds& bounds, double twice_area, dou
 
 Point Criteria::split_point(Point q, Point r, Point a, Index region, LocalHints& hints) const {
   const double rx = r.x - q.x, ry = r.y - q.y, ax = a.x - q.x, ay = a.y - q.y;
-  const double r2 = rx * rx + ry * ry, a2 = ax * ax + ay * ay;
-  double twice_area = rx * ay - ry * ax;
-  if (!(twice_area >= share_of_thin * (r2 + a2))) [[unlikely]]
-    twice_area = exact::twice_area(q, r, a);
+  const Shape shape(q, r, a);
+  const double r2 = shape.squared[2], twice_area = shape.twice_area;
   auto [dx, dy] = to_circumcentre({rx, ry}, {ax, ay}, twice_area);
   double height = off_centre_height_;
   if (fills_) height = std::min(height, filling_height(size_bounds(q, r, a, region, hints), twice_area, r2));

@@ -24,18 +24,15 @@ using namespace engine;
 
 namespace {
 
-/// Takes the attributes, and copies what their interpolation needs of the rest: nothing if there are no attributes.
-KeptDomain kept_for_attributes(PartOfPslg& input, Ranks& ranks) {
+/// Takes the attributes, and copies what their interpolation needs of the rest. Nothing if there are no attributes.
+std::optional<KeptDomain> kept_for_attributes(PartOfPslg& input, Ranks& ranks) {
   const std::size_t k = std::exchange(input.points.attributes_per_point, 0);
-  std::vector<Point> points;
-  std::vector<Segment> segments;
-  if (k > 0) {
-    points = input.points.points;
-    segments = input.segments.segments;
-  }
-  return {{std::exchange(input.points.point_attributes, {}), k, input.points.points.size(), ranks},
-          {std::move(points), 1, input.points.points.size(), ranks},
-          {std::move(segments), 1, input.segments.segments.size(), ranks}};
+  if (k == 0) return {};
+  const std::vector<Point>& points = input.points.points;
+  const std::vector<Segment>& segments = input.segments.segments;
+  return KeptDomain{{std::exchange(input.points.point_attributes, {}), k, points.size(), ranks},
+                    {points, 1, points.size(), ranks},
+                    {segments, 1, segments.size(), ranks}};
 }
 
 Result<MeshPiece> mesh_of(PartOfPslg&& input, const Goal& goal, const Options& options, ProgressMonitor& progress,
@@ -44,7 +41,7 @@ Result<MeshPiece> mesh_of(PartOfPslg&& input, const Goal& goal, const Options& o
   input.rest.first_id = input.points.first_id;
   if (Status fine = status_of(unusable_values(input.points, ranks, progress.threads()), input.rest.first_id); !fine)
     return fine.error();
-  const KeptDomain kept = kept_for_attributes(input, ranks);
+  const std::optional<KeptDomain> kept = kept_for_attributes(input, ranks);
   Result<std::unique_ptr<TriangulatedPoints>> made = triangulated(std::move(input.points), ranks, progress.threads());
   if (!made) return made.error();
   Result<PartOfDomain> part_made =
@@ -55,7 +52,7 @@ Result<MeshPiece> mesh_of(PartOfPslg&& input, const Goal& goal, const Options& o
   const CurveDivision division = (*made)->division;
   made->reset();
   std::optional<DividedBackground> background;
-  if (kept.attributes.per_item() > 0) background.emplace(part, division, ranks, progress.threads());
+  if (kept) background.emplace(part, division, ranks, progress.threads());
   DividedPoints distribution(ranks, part, division);
   Report report;
   report.triangulate_seconds = watch.lap();
@@ -69,7 +66,7 @@ Result<MeshPiece> mesh_of(PartOfPslg&& input, const Goal& goal, const Options& o
   Result<MeshPiece> piece = refine_in_ranks(part.domain, distribution, criteria, options, progress, std::move(data),
                                             std::move(report), watch);
   if (piece && background) {
-    std::move(*background).add_attributes(*piece, kept, ranks);
+    std::move(*background).add_attributes(*piece, *kept, ranks);
     piece->seconds += watch.lap();
   }
   return piece;

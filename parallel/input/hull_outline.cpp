@@ -1,6 +1,5 @@
 // The outline of a domain that is the convex hull of its points, if points lie near sides of the hull.
 #include <algorithm>
-#include <numeric>
 #include <set>
 #include <utility>
 #include <vector>
@@ -31,8 +30,7 @@ bool are_whole(const std::vector<Segment>& sides, const Work& drawn) {
 bool draw_sides(Work& work, const Snapping& snapping, StopSignal& stop) {
   if (all_collinear(work.pslg.points, {1, &stop})) return false;
   const std::vector<Segment> sides = sides_of_hull(work.pslg, stop);
-  Work drawn{work.pslg, std::vector<Index>(work.pslg.points.size()), work.source};
-  std::iota(drawn.point_map.begin(), drawn.point_map.end(), Index{0});
+  Work drawn{work.pslg, identity_map(work.pslg.points.size()), work.source};
   drawn.pslg.segments.insert(drawn.pslg.segments.end(), sides.begin(), sides.end());
   drawn.source.resize(drawn.pslg.segments.size(), no_index);
   if (!untangle(drawn, snapping, stop) || are_whole(sides, drawn)) return false;

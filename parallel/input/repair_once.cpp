@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 #include <string>
 #include <utility>
 
@@ -198,13 +197,6 @@ class Seeds {
   SeedRecord& record_;
   StopSignal& stop_;
 };
-
-/// 0, 1, ..., n - 1.
-std::vector<Index> identity_map(std::size_t n) {
-  std::vector<Index> all(n);
-  std::iota(all.begin(), all.end(), Index{0});
-  return all;
-}
 
 }  // namespace
 

@@ -1,6 +1,7 @@
 // Resolves conflicts: makes a planar graph of segments that cross, overlap or nearly touch.
 #pragma once
 
+#include <numeric>
 #include <vector>
 
 #include "../../core/pslg.hpp"
@@ -15,6 +16,13 @@ struct Work {
   std::vector<Index> point_map;  ///< old point -> point
   std::vector<Index> source;     ///< segment -> old segment
 };
+
+/// 0, 1, ..., n - 1: a map of Work before anything has changed.
+[[nodiscard]] inline std::vector<Index> identity_map(std::size_t n) {
+  std::vector<Index> all(n);
+  std::iota(all.begin(), all.end(), Index{0});
+  return all;
+}
 
 /// Changes the points and segments until segments meet only at common ends and contain no other point. Unless
 /// `snapping` is zero, no two points are then closer than it allows at their scales (Reach), and no point is closer

@@ -15,6 +15,13 @@ namespace {
 /// The end of the edge around which diagonals are flipped.
 enum class Pivot : std::uint8_t { from, to };
 
+/// The other side of the triangle at the pivot. `side` begins there (Pivot::from) or ends there (Pivot::to), and so
+/// does each diagonal around the pivot, seen from the triangle beyond it.
+EdgeRef next_side(EdgeRef side, Pivot around) {
+  const auto& next = around == Pivot::from ? previous_corner : next_corner;
+  return {side.triangle(), next[side.side()]};
+}
+
 /// Which diagonals around the pivot are flipped, one after the other: their places among those that are left, counted
 /// from the edge.
 struct Flips {
@@ -48,7 +55,7 @@ class Beside {
   [[nodiscard]] std::optional<Flips> turned(Pivot around, Point apex) const {
     const bool around_a = around == Pivot::from;
     std::vector<Point> rim{around_a ? b_ : a_, apex};  // the corners that have been passed
-    EdgeRef diagonal(e_.triangle(), around_a ? previous_corner[e_.side()] : next_corner[e_.side()]);
+    EdgeRef diagonal = next_side(e_, around);
     while (true) {
       const EdgeRef across = t_.slot(diagonal).n[diagonal.side()];
       if (across.constrained() || t_.slot(across).is_ghost()) return {};
@@ -58,7 +65,7 @@ class Beside {
       if (!(around_a ? sees_near_side : sees_far_side)) return {};
       if (sees_far_side && sees_near_side)
         if (auto places = ears(around, rim)) return Flips{around, std::move(*places)};
-      diagonal = EdgeRef(across.triangle(), around_a ? previous_corner[across.side()] : next_corner[across.side()]);
+      diagonal = next_side(across, around);
     }
   }
 
@@ -90,13 +97,9 @@ class Beside {
 /// Returns the edge as a side of the triangle that it has after the flips.
 EdgeRef flipped(Triangulation& t, EdgeRef e, const Flips& flips, std::vector<TriangleId>& changed) {
   const bool around_from = flips.around == Pivot::from;
-  const auto& towards_pivot = around_from ? previous_corner : next_corner;
   for (const std::size_t place : flips.places) {
-    EdgeRef diagonal(e.triangle(), towards_pivot[e.side()]);
-    for (std::size_t i = 0; i < place; ++i) {
-      const EdgeRef across = t.slot(diagonal).n[diagonal.side()];
-      diagonal = EdgeRef(across.triangle(), towards_pivot[across.side()]);
-    }
+    EdgeRef diagonal = next_side(e, flips.around);
+    for (std::size_t i = 0; i < place; ++i) diagonal = next_side(t.slot(diagonal).n[diagonal.side()], flips.around);
     const TriangleId across = t.slot(diagonal).n[diagonal.side()].triangle();
     flip(t, diagonal);
     changed.insert(changed.end(), {diagonal.triangle(), across});
