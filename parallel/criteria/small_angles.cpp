@@ -163,6 +163,13 @@ double fraction_of_pieces(double count, Point a, Point b) {
   return lexicographically_less(a, b) ? first : 1 - first;
 }
 
+/// The point at this fraction of the edge a-b, which is a part of the segment.
+Point point_at(double fraction, const Triangulation& t, const DomainSegment& segment, Point a, Point b) {
+  const Point p{a.x + fraction * (b.x - a.x), a.y + fraction * (b.y - a.y)};
+  const Point on_line = projected(p, t.points[segment.a], t.points[segment.b]);
+  return usable_on_edge(on_line, a, b, t.points[segment.a], t.points[segment.b]);
+}
+
 double dot(Point o, Point p, Point q) { return (p.x - o.x) * (q.x - o.x) + (p.y - o.y) * (q.y - o.y); }
 
 /// The tangent of the least angle across a shell: sin θ / (2 - cos θ), where the segments from the apex to `first` and
@@ -241,9 +248,14 @@ Point edge_split_point(const Triangulation& t, const DomainSegments& segments, I
   } else if (length > 1.5 * pieces) {
     fraction = fraction_of_pieces(std::round(length / pieces), pa, pb);
   }
-  const Point p{pa.x + fraction * (pb.x - pa.x), pa.y + fraction * (pb.y - pa.y)};
-  const Point on_line = projected(p, t.points[segment.a], t.points[segment.b]);
-  return usable_on_edge(on_line, pa, pb, t.points[segment.a], t.points[segment.b]);
+  return point_at(fraction, t, segment, pa, pb);
+}
+
+std::vector<Point> other_edge_split_points(const Triangulation& t, const DomainSegments& segments, Index number,
+                                           VertexId a, VertexId b) {
+  if (lexicographically_less(t.points[b], t.points[a])) std::swap(a, b);
+  const auto at = [&](double fraction) { return point_at(fraction, t, segments[number], t.points[a], t.points[b]); };
+  return {at(0.375), at(0.625), at(0.3125), at(0.6875)};
 }
 
 std::optional<SmallAngle> small_angle(const Triangulation& t, const DomainSegments& segments, const Criteria& criteria,

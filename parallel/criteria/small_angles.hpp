@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <optional>
+#include <vector>
 
 #include "../options.hpp"
 #include "../report.hpp"
@@ -34,6 +35,11 @@ namespace pardel::engine {
 /// is split there.
 [[nodiscard]] Point edge_split_point(const Triangulation& t, const DomainSegments& segments, Index number, VertexId a,
                                      VertexId b, double floor = 0, double pieces = INFINITY);
+
+/// Other points at which the edge can be split if edge_split_point() cannot be inserted: a vertex is too near to it, or
+/// rounding moves it beyond one. The best comes first; none is nearer to an end than 5/16 of the edge.
+[[nodiscard]] std::vector<Point> other_edge_split_points(const Triangulation& t, const DomainSegments& segments,
+                                                         Index number, VertexId a, VertexId b);
 
 /// The small input angle that exempts a triangle.
 struct SmallAngle {

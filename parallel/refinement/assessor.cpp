@@ -73,6 +73,12 @@ Point Assessor::point_on(EdgeRef e) const {
                           criteria_.length_of_pieces(region_of(e.triangle())));
 }
 
+std::vector<Point> Assessor::other_points_on(EdgeRef e, TriangleId on_behalf_of, LocalHints& hints) const {
+  if (!too_large(on_behalf_of, hints)) return {};
+  const Slot& slot = t_.slot(e);
+  return other_edge_split_points(t_, segments_, segment_of(e), slot.from(e.side()), slot.to(e.side()));
+}
+
 Point Assessor::point_for(TriangleId id, const Assessment& a, LocalHints& hints) const {
   const EdgeRef side(id, a.side);
   return a.need == Assessment::Need::split_edge ? point_on(side) : point_in(side, hints);

@@ -3,6 +3,7 @@
 
 #include <cassert>
 #include <cmath>
+#include <vector>
 
 #include "../arithmetic/box.hpp"
 #include "../arithmetic/floor.hpp"
@@ -100,6 +101,9 @@ class Assessor {
   }
   /// The point that splits the constrained edge e.
   [[nodiscard]] Point point_on(EdgeRef e) const;
+  /// The points that split it on behalf of a triangle that is too large if point_on() cannot be inserted. None for other
+  /// triangles: with the bound on angles alone, they could bring about splits down to the floor.
+  [[nodiscard]] std::vector<Point> other_points_on(EdgeRef e, TriangleId on_behalf_of, LocalHints& hints) const;
   /// The point that splits a triangle, given the triangle's shortest side.
   [[nodiscard]] Point point_in(EdgeRef shortest, LocalHints& hints) const {
     const Slot& slot = t_.slot(shortest);

@@ -158,7 +158,7 @@ EdgeRef Task::split_encroached_side(QueuedTriangle triangle) {
   Assessment a = assessor_.assess(id, hints_);
   if (a.need == Assessment::Need::split_edge) {
     const EdgeRef e(id, a.side);
-    const Outcome outcome = split_edge(e);
+    const Outcome outcome = split_edge(e, id);
     if (outcome == Outcome::leaves_box) hand_on(triangle, assessor_.point_on(e));
     if (outcome == Outcome::inserted || outcome == Outcome::leaves_box) return {};
     a = assessor_.assess_inside(id, hints_);
@@ -169,24 +169,33 @@ EdgeRef Task::split_encroached_side(QueuedTriangle triangle) {
 void Task::split_blocker(QueuedTriangle triangle) {
   const EdgeRef blocker = insertion_.blocker();
   const bool may_be_split = !assessor_.forbidden(blocker) && !assessor_.below_floor(blocker);
-  const Outcome outcome = may_be_split ? split_edge(blocker) : Outcome::refused;
+  const Outcome outcome = may_be_split ? split_edge(blocker, triangle.id()) : Outcome::refused;
   if (outcome == Outcome::inserted) return consider(triangle.id());
   if (outcome == Outcome::leaves_box) return hand_on(triangle, assessor_.point_on(blocker));
   result_.blocked.push_back(triangle);
   result_.left_alone = true;
 }
 
-Outcome Task::split_edge(EdgeRef e) {
+Outcome Task::split_edge(EdgeRef e, TriangleId on_behalf_of) {
   const Index segment = assessor_.segment_of(e);
-  const Point p = assessor_.point_on(e);
-  if (is_foreign(p)) return Outcome::leaves_box;
-  const Outcome outcome = insertion_.split_edge(p, e, segment, box_);
+  Outcome outcome = split_edge_at(assessor_.point_on(e), e, segment);
+  if (outcome == Outcome::too_close || outcome == Outcome::refused) {
+    for (const Point p : assessor_.other_points_on(e, on_behalf_of, hints_)) {
+      const Outcome here = split_edge_at(p, e, segment);
+      if (here == Outcome::inserted || here == Outcome::leaves_box) outcome = here;
+      if (here == Outcome::inserted) break;
+    }
+  }
   if (outcome == Outcome::inserted) {
     ++result_.segment_splits;
     consider_changed();
   }
   if (outcome == Outcome::refused || outcome == Outcome::too_close) count_refused();
   return outcome;
+}
+
+Outcome Task::split_edge_at(Point p, EdgeRef e, Index segment) {
+  return is_foreign(p) ? Outcome::leaves_box : insertion_.split_edge(p, e, segment, box_);
 }
 
 void Task::count_refused() {

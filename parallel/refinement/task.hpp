@@ -96,7 +96,9 @@ class Task {
   void with_triangles_around(TriangleId id, const Work& work);
   void note_missing_triangles(TriangleId around);
   void count_refused();
-  [[nodiscard]] Outcome split_edge(EdgeRef e);
+  /// Splits the edge, which the triangle or its split point encroaches.
+  [[nodiscard]] Outcome split_edge(EdgeRef e, TriangleId on_behalf_of);
+  [[nodiscard]] Outcome split_edge_at(Point p, EdgeRef e, Index segment);
   /// Hands the triangle on to the cell of p, the point that this task could not insert. If p lies in the task's own
   /// cell, the triangle needs a larger box.
   void hand_on(QueuedTriangle triangle, Point p);
