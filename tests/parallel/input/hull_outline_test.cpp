@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "../../../parallel/mesher.hpp"
@@ -99,6 +100,59 @@ TEST(HullOutline, drops_a_hole_that_lies_on_it) {
   const Result<Repaired> repaired = repair(pslg, {.convex_hull = true});
   ASSERT_TRUE(repaired) << repaired.error().message;
   EXPECT_EQ(repaired->domain.pslg().holes, std::vector{inside});
+}
+
+TEST(HullOutline, says_which_hole_and_region_it_drops) {
+  Pslg pslg = points_only({{0, 0}, {1, 0}, {0.5, 1e-17}, {0.5, 1}});
+  pslg.holes = {{0.25, 0.5}};
+  pslg.regions = {{{0.75, 0.5}, 1, INFINITY}};
+  const Result<Repaired> repaired = repair(pslg, {.convex_hull = true});
+  ASSERT_TRUE(repaired) << repaired.error().message;
+  const std::vector<std::string> log{
+      "Segments added as the outline, because points are near sides of the convex hull: 4.",
+      "Dropped: Hole 0 at (0.25, 0.5) lies outside every closed outline.",
+      "Dropped: Region 0 at (0.75, 0.5) lies outside the domain."};
+  EXPECT_EQ(repaired->log, log);
+}
+
+/// Corners of the hull are merged, and then it has a side between two corners of the outline that does not pass through
+/// the points between them, because these are near another point now.
+TEST(HullOutline, is_drawn_once_where_corners_are_merged) {
+  const Pslg pslg = points_only({{-3.0000000000000003e-13, 1},
+                                 {0.11187198540397125, 3.0000000000000003e-13},
+                                 {0, 0},
+                                 {4.22492492238018e-14, 0},
+                                 {1, 0},
+                                 {1, 6.335974997793549e-13},
+                                 {1e-13, 1.497157265689426e-13},
+                                 {1, 1}});
+  const Result<Repaired> repaired = repair(pslg, automatic);
+  ASSERT_TRUE(repaired) << repaired.error().message;
+  EXPECT_EQ(repaired->domain.pslg().segments.size(), 7);
+  const Result<Meshed> meshed = mesh(repaired->domain, {.min_angle_deg = 20.7}, {.max_vertices = 1000});
+  ASSERT_TRUE(meshed) << meshed.error().message;
+  EXPECT_TRUE(meshed->report.goal_met());
+}
+
+TEST(HullOutline, is_not_drawn_where_the_hull_is_so_narrow_that_its_sides_fall_into_one) {
+  const Pslg needle = points_only({{2e-13, 1e-13},
+                                   {3.0000000000000003e-13, 5.825146914884158e-13},
+                                   {6.791490498495952e-13, 0.4720875235684545},
+                                   {-1e-13, 1},
+                                   {0, 7.721659139548161e-13},
+                                   {0, 0},
+                                   {0, 4.417794889682873e-13}});
+  const Pslg tail = points_only({{1.0293631336401676e-13, 2.4537926733038895e-14},
+                                 {0.9529649283826015, 0.04640016537810776},
+                                 {8.396551508868992e-13, 3.97530050481296e-13},
+                                 {0, -3.0000000000000003e-13},
+                                 {6.149259055038593e-13, 1},
+                                 {3.227571405919092e-13, 0.35010503101118573}});
+  for (const Pslg& pslg : {needle, tail}) {
+    const Result<Repaired> repaired = repair(pslg, automatic);
+    ASSERT_TRUE(repaired) << repaired.error().message;
+    EXPECT_TRUE(repaired->domain.pslg().segments.empty());
+  }
 }
 
 TEST(HullOutline, does_not_bend_to_a_small_part_near_a_side_of_a_huge_hull) {
