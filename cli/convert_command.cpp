@@ -85,21 +85,31 @@ Status convert(const ConvertArguments& arguments, const Pslg& domain, ProgressBa
   return Done{};
 }
 
-Status write(const ConvertArguments& arguments, const Mesh& mesh) {
+/// Sets `no_domain` if the boundary of the mesh is no domain, as where nodes are doubled. The .poly then has neither
+/// holes nor regions.
+Status write(const ConvertArguments& arguments, const Mesh& mesh, std::string& no_domain) {
   if (mesh_format(arguments.output) != MeshFormat::triangle)
     return write_mesh(mesh, {}, arguments.output, arguments.format.msh(), arguments.format.of_stream);
   // The .poly contains the holes and the regions, too.
   const Result<Pslg> pslg = domain_with(arguments.input, mesh);
-  if (!pslg) return with_name(pslg.error(), arguments.input.string());
+  if (!pslg) {
+    if (pslg.error().kind != ErrorKind::invalid_input) return with_name(pslg.error(), arguments.input.string());
+    no_domain = pslg.error().message;
+  }
   const fs::path stem = fs::path(arguments.output).replace_extension();
-  return write_triangle_files(mesh, *pslg, stem, {.base = mesh.first_id.value});
+  return write_triangle_files(mesh, pslg ? *pslg : Pslg{}, stem, {.base = mesh.first_id.value});
 }
 
 Status convert(const ConvertArguments& arguments, const Mesh& mesh, ProgressBar& bar) {
-  if (Status written = write(arguments, mesh); !written) return written;
+  std::string no_domain;
+  if (Status written = write(arguments, mesh, no_domain); !written) return written;
   print(arguments, bar,
         plural(mesh.points.size(), "vertex", "vertices") + ", " + plural(mesh.triangles.size(), "triangle"),
         lost(mesh, arguments.output));
+  if (!no_domain.empty() && !arguments.quiet) {
+    fmt::print("note    the .poly has no holes and regions, because the boundary of the mesh is no domain:\n{}\n",
+               no_domain);
+  }
   return Done{};
 }
 

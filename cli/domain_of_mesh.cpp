@@ -119,12 +119,22 @@ Pslg outline_of(const Mesh& mesh) {
   return outline;
 }
 
+/// The problems of the outline, with the numbers that its points have in the mesh.
+Error with_numbers_of(const Mesh& mesh, const Error& of_outline) {
+  Pslg all;
+  all.points.assign(mesh.points.begin(), mesh.points.end());
+  all.segments = boundary(mesh);
+  all.first_id = mesh.first_id;
+  const Result<Meshed> hull = triangulate(all, true);
+  return hull ? of_outline : hull.error();
+}
+
 /// A point in each hole. Triangulates the convex hull of the outline. A face that lies to the right of an outline edge
 /// is not covered by the mesh. Such a face is a hole, unless it reaches the hull: then it belongs to the exterior.
 Result<std::vector<Point>> hole_seeds(const Mesh& mesh) {
   const Pslg outline = outline_of(mesh);
   const Result<Meshed> hull = triangulate(outline, true);
-  if (!hull) return hull.error();
+  if (!hull) return with_numbers_of(mesh, hull.error());
   const Mesh& around = hull.value().mesh;
   EdgeSet walls{outline.segments};
   walls.finish();

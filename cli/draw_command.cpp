@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <memory>
@@ -74,6 +75,10 @@ Status check_arguments(const DrawArguments& arguments) {
   const std::vector<double>& w = arguments.window;
   if (!w.empty() && !(w[0] < w[2] && w[1] < w[3]))
     return usage("--window needs X0,Y0,X1,Y1 with X0 below X1 and Y0 below Y1");
+  // The picture is scaled by pixels per unit of length.
+  constexpr double least = 1e-300, most = 1e300;
+  if (!w.empty() && !(std::max(w[2] - w[0], w[3] - w[1]) >= least && std::max(w[2] - w[0], w[3] - w[1]) <= most))
+    return usage(fmt::format("--window: its larger side has to be between {} and {}", least, most));
   return check_folder(arguments.output);
 }
 

@@ -19,7 +19,7 @@ std::string advice_on(double snap, const ValidPslg& domain) {
   if (harmless && *harmless)
     return fmt::format("\n--repair with --snap {:.2g} closes the narrowest; look at the result", snap);
   return fmt::format(
-      "\n--repair with --snap {:.2g} would close the narrowest, but also remove a narrow part of the "
+      "\n--repair with --snap {:.2g} would close the narrowest, but also remove a part of the "
       "domain, a hole or a region",
       snap);
 }

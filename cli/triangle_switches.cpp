@@ -12,15 +12,26 @@
 namespace pardel::cli {
 namespace {
 
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+
+/// The length of an exponent such as "e-05" at the start of the text; 0 if there is none.
+std::size_t length_of_exponent(std::string_view text) {
+  if (text.empty() || (text[0] != 'e' && text[0] != 'E')) return 0;
+  const std::size_t sign = text.size() > 1 && (text[1] == '+' || text[1] == '-') ? 1 : 0;
+  std::size_t length = 1 + sign;
+  while (length < text.size() && is_digit(text[length])) ++length;
+  return length > 1 + sign ? length : 0;
+}
+
 /// Removes the number at the start of `rest` and returns it, if there is one. As in Triangle a number consists of
-/// digits and points only: "a0.1e" is the switch a with 0.1, then the switch e.
+/// digits and points: "a0.1e" is the switch a with 0.1, then the switch e. Other than in Triangle, it may have an
+/// exponent, as Python writes it: "a1e-05".
 template <class Number>
 std::optional<Number> take_number(std::string_view& rest) {
   std::size_t length = 0;
-  const auto part_of_number = [](char c) {
-    return std::isdigit(static_cast<unsigned char>(c)) != 0 || (std::is_floating_point_v<Number> && c == '.');
-  };
+  const auto part_of_number = [](char c) { return is_digit(c) || (std::is_floating_point_v<Number> && c == '.'); };
   while (length < rest.size() && part_of_number(rest[length])) ++length;
+  if (std::is_floating_point_v<Number> && length > 0) length += length_of_exponent(rest.substr(length));
   Number value{};
   const auto [end, error] = std::from_chars(rest.data(), rest.data() + length, value);
   const bool whole = error == std::errc() && end == rest.data() + length;
@@ -30,7 +41,7 @@ std::optional<Number> take_number(std::string_view& rest) {
 }
 
 bool begins_with_number(std::string_view rest) {
-  return !rest.empty() && (std::isdigit(static_cast<unsigned char>(rest[0])) != 0 || rest[0] == '.');
+  return !rest.empty() && (is_digit(rest[0]) || rest[0] == '.');
 }
 
 /// What a switch of Triangle does that pardel does not support; null for any other letter.

@@ -11,6 +11,7 @@
 #include "diagnosis/tiny_gaps.hpp"
 #include "input/repair_once.hpp"
 #include "segments/snapping.hpp"
+#include "triangulation/triangle_shape.hpp"
 
 namespace pardel {
 
@@ -133,6 +134,20 @@ Result<Repaired> repair(const Pslg& pslg, const RepairOptions& options) try {
   return stopped.error;
 }
 
+namespace {
+
+/// A narrow gap contains a much smaller part of the domain.
+constexpr double most_change_of_area = 0.01;
+
+double twice_area_of(const DomainTriangulation& domain) {
+  const Triangulation& t = domain.triangulation;
+  double sum = 0;
+  for (const Slot& slot : t.slots) sum += Shape(t, slot).twice_area;
+  return sum;
+}
+
+}  // namespace
+
 Result<bool> keeps_all_parts(const ValidPslg& domain, double snap) try {
   const Result<DomainTriangulation> triangulated = triangulate_domain(domain.pslg(), domain.convex_hull());
   if (!triangulated) return triangulated.error();
@@ -140,7 +155,12 @@ Result<bool> keeps_all_parts(const ValidPslg& domain, double snap) try {
   const Result<Repaired> repaired = repair(domain.pslg(), {.snap = snap, .convex_hull = domain.convex_hull()});
   if (!repaired) return repaired.error().kind == ErrorKind::invalid_input ? Result<bool>(false) : repaired.error();
   const Pslg& after = repaired->domain.pslg();
-  return after.holes.size() == domain.pslg().holes.size() && after.regions.size() == domain.pslg().regions.size();
+  if (after.holes.size() != domain.pslg().holes.size() || after.regions.size() != domain.pslg().regions.size())
+    return false;
+  const Result<DomainTriangulation> changed = triangulate_domain(after, domain.convex_hull());
+  if (!changed) return changed.error();
+  const double area = twice_area_of(*triangulated);
+  return std::abs(twice_area_of(*changed) - area) <= most_change_of_area * area;
 } catch (...) {
   return error_of_exception();
 }

@@ -132,5 +132,18 @@ TEST_F(ConvertCommand, outputs_that_make_no_sense_are_usage_errors) {
     EXPECT_EQ(pardel({"convert", "m.vtu", to}).exit_code, 2) << to;
 }
 
+/// A square of two triangles that were never merged.
+TEST_F(ConvertCommand, a_mesh_with_doubled_nodes_is_copied_and_messages_have_the_numbers_of_its_file) {
+  write("doubled.off", "OFF\n6 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n1 1 0\n0 0 0\n3 0 1 2\n3 5 4 3\n");
+  const Ran ran = pardel({"convert", "doubled.off", "d.ele"});
+  EXPECT_EQ(ran.exit_code, 0) << ran;
+  EXPECT_TRUE(holds(ran.out, {"Points 2 and 4 are both at (1, 1)", "Points 0 and 5 are both at (0, 0)"})) << ran;
+  EXPECT_EQ(pardel({"convert", "d.ele", "back.off"}).exit_code, 0);
+  EXPECT_TRUE(read("back.off").starts_with("OFF\n6 2 0\n")) << read("back.off");
+  const Ran refined = pardel({"mesh", "--refine", "doubled.off", "-o", "r.ele"});
+  EXPECT_EQ(refined.exit_code, 3) << refined;
+  EXPECT_TRUE(holds(refined.err, {"Points 2 and 4 are both at (1, 1)"})) << refined;
+}
+
 }  // namespace
 }  // namespace pardel::testing

@@ -146,7 +146,7 @@ TEST_F(DoctorCommand, names_no_snapping_distance_without_saying_that_it_removes_
   const Ran ran = pardel({"doctor", "plate.poly"});
   EXPECT_EQ(ran.exit_code, 0) << ran;
   EXPECT_TRUE(
-      holds(ran.err, {"--snap 2.2e-08 would close the narrowest, but also remove a narrow part of the domain"}));
+      holds(ran.err, {"--snap 2.2e-08 would close the narrowest, but also remove a part of the domain"}));
   EXPECT_EQ(pardel({"doctor", "plate.poly", "--repair", "fixed.poly", "--snap", "2.2e-8"}).exit_code, 3);
 }
 

@@ -66,6 +66,14 @@ TEST_F(DrawPicture, triangles_of_different_quality_size_and_region_have_differen
   }
 }
 
+TEST_F(DrawPicture, a_window_that_no_scale_fits_is_refused) {
+  for (const char* window : {"0,0,5e-324,5e-324", "-1e308,-1e308,1e308,1e308"}) {
+    const Ran ran = pardel({"draw", "m.ele", "tiny.svg", std::string("--window=") + window});
+    EXPECT_EQ(ran.exit_code, 2) << ran;
+    EXPECT_TRUE(holds(ran.err, {"--window: its larger side has to be between 1e-300 and 1e+300"})) << ran;
+  }
+}
+
 TEST_F(DrawPicture, a_window_shows_only_its_part_of_the_plane) {
   const Picture all = picture("m.ele", {"--pixels", "400"});
   const Picture part = picture("m.ele", {"--pixels", "400", "--window", "0.1,0.1,0.3,0.3"});

@@ -16,6 +16,14 @@ TEST(SwitchParser, reads_numbers_up_to_the_next_letter) {
   EXPECT_TRUE(parsed->conforming);
 }
 
+TEST(SwitchParser, reads_exponents_as_python_writes_them) {
+  const TriangleSwitches s = parse_triangle_switches({"-pa1e-05q2.5E1e", "square"}).value();
+  EXPECT_EQ(s.max_area, 1e-5);
+  EXPECT_EQ(s.min_angle_deg, 25);
+  EXPECT_TRUE(s.edges) << "an e without digits is a switch";
+  EXPECT_EQ(parse_triangle_switches({"-pa1e", "square"}).value().max_area, 1);
+}
+
 TEST(SwitchParser, an_integer_ends_before_a_point) { EXPECT_FALSE(parse_triangle_switches({"-pS1.5", "square"}).ok()); }
 
 }  // namespace

@@ -389,6 +389,15 @@ TEST(Repair, refuses_unusable_values_and_domains_without_an_outline) {
   EXPECT_FALSE(repair({}).ok());
 }
 
+TEST(Repair, names_the_segment_on_which_a_dropped_region_lies) {
+  Pslg pslg = square(4);
+  pslg.points.insert(pslg.points.end(), {{1, 1}, {3, 1}});
+  pslg.segments.insert(pslg.segments.end(), {{0, 4, 0}, {4, 5, 0}, {5, 1, 0}, {4, 2, 0}, {5, 3, 0}});
+  pslg.regions = {{{2, 1}, 1, INFINITY}};
+  const std::vector<std::string> log = repaired(pslg).log;
+  EXPECT_NE(std::ranges::find(log, "Dropped: Region 0 at (2, 1) lies on segment 5."), log.end());
+}
+
 TEST(Repair, refuses_a_snapping_distance_that_is_not_a_length) {
   for (const double snap : {-1.0, static_cast<double>(NAN), static_cast<double>(INFINITY)})
     EXPECT_EQ(repair(square(1), {.snap = snap}).error().kind, ErrorKind::usage);
@@ -411,6 +420,15 @@ TEST(KeepsAllParts, is_false_for_a_distance_that_removes_a_thin_part_or_a_hole_o
     EXPECT_TRUE(*keeps_all_parts(*validate(pslg), 1e-10));
     EXPECT_FALSE(*keeps_all_parts(*validate(pslg), 2e-8));
   }
+}
+
+/// A side bends to the point of a sliver that is about as far away as the sliver is wide.
+TEST(KeepsAllParts, is_false_for_a_distance_that_cuts_a_corner_off) {
+  Pslg sliver = square(1);
+  sliver.points.push_back({0.125, 0.75});
+  sliver.segments.insert(sliver.segments.end(), {{4, 1, 0}, {1, 3, 0}});
+  EXPECT_FALSE(*keeps_all_parts(*validate(sliver), 0.19));
+  EXPECT_TRUE(*keeps_all_parts(*validate(sliver), 0.09));
 }
 
 TEST(KeepsAllParts, is_true_for_a_distance_that_closes_a_gap_inside_the_domain) {
