@@ -18,8 +18,10 @@ std::optional<WrongMesh> longer_below_shorter(std::uint64_t seed) {
   drawing.ring({drawing.point(0, 0), drawing.point(20, 0), drawing.point(20, 16), drawing.point(0, 16)});
   const int units = random.between(1, 2);
   const Index apex = drawing.point(4, 8), near = drawing.point(10, 8), far = drawing.point(beside(16, units));
-  drawing.segment(apex, near);
-  const Index longer = drawing.segment(apex, far);
+  const bool begin_there = random.between(0, 1) == 0;
+  const auto from_apex = [&](Index to) { return begin_there ? drawing.segment(apex, to) : drawing.segment(to, apex); };
+  from_apex(near);
+  const Index longer = from_apex(far);
   const std::pair<double, double> ends[] = {{1, 8}, {4, 12}, {5, 3}};
   for (int i = 0; i < others; ++i) drawing.segment(apex, drawing.point(ends[i].first, ends[i].second));
   drawing.on(longer, beside(10, -1));

@@ -500,6 +500,31 @@ TEST(Check, reports_attributes_that_are_wrong) {
   EXPECT_TRUE(reports_only(check(c), Kind::wrong_attribute));
 }
 
+/// A range has the tolerance of its larger end, whichever this is. An attribute without a range hides no later one.
+TEST(Check, judges_each_attribute_by_its_own_range) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Case c = testing::square_in_eight();
+  const Index inside = 6;  // in the middle of a segment
+  c.pslg.attributes_per_point = c.mesh.attributes_per_point = 2;
+  c.pslg.point_attributes.assign(2 * c.pslg.points.size(), 0);
+  c.pslg.point_attributes[0] = infinity;
+  for (const double end : {-1.0, 1.0}) {
+    c.pslg.point_attributes[2 * 4 + 1] = end;  // an end of the segment with the vertex
+    c.mesh.point_attributes.resize(2 * c.mesh.points.size(), 0);
+    std::ranges::copy(c.pslg.point_attributes, c.mesh.point_attributes.begin());
+    const auto with = [&](double value) {
+      c.mesh.point_attributes[2 * inside + 1] = value;
+      return check(c);
+    };
+    EXPECT_TRUE(is_valid(with(end)));
+    EXPECT_TRUE(is_valid(with(end * (1 + 5e-10))));
+    EXPECT_TRUE(is_valid(with(-end * 5e-10)));
+    EXPECT_TRUE(reports_only(with(end * (1 + 1e-8)), Kind::wrong_attribute));
+    EXPECT_TRUE(reports_only(with(-end * 1e-8), Kind::wrong_attribute));
+    EXPECT_TRUE(reports_only(with(777), Kind::wrong_attribute));
+  }
+}
+
 // Tests of the Delaunay property.
 
 TEST(Check, accepts_either_diagonal_of_cocircular_points_and_only_one_where_they_differ_by_a_unit) {
@@ -946,26 +971,26 @@ TEST(Certificate, with_everything_is_this_text) {
             "   20 - 30          100  #########################\n"
             "   30 - 40          200  ##################################################\n"
             "44 triangles below the angle bound, justified by small input angles\n"
-            "  at point 0: 2, down to 8.72 degrees, at an input angle of 38\n"
-            "  at point 2: 2, down to 8.73 degrees, at an input angle of 37\n"
-            "  at point 4: 2, down to 8.74 degrees, at an input angle of 36\n"
-            "  at point 6: 2, down to 8.75 degrees, at an input angle of 35\n"
-            "  at point 8: 2, down to 8.76 degrees, at an input angle of 34\n"
-            "  at point 10: 2, down to 8.77 degrees, at an input angle of 33\n"
-            "  at point 12: 2, down to 8.78 degrees, at an input angle of 32\n"
-            "  at point 14: 2, down to 8.79 degrees, at an input angle of 31\n"
-            "  at point 16: 2, down to 8.8 degrees, at an input angle of 30\n"
-            "  at point 18: 2, down to 8.81 degrees, at an input angle of 29\n"
-            "  at point 20: 2, down to 8.82 degrees, at an input angle of 28\n"
-            "  at point 22: 2, down to 8.83 degrees, at an input angle of 27\n"
-            "  at point 24: 2, down to 8.84 degrees, at an input angle of 26\n"
-            "  at point 26: 2, down to 8.85 degrees, at an input angle of 25\n"
-            "  at point 28: 2, down to 8.86 degrees, at an input angle of 24\n"
-            "  at point 30: 2, down to 8.87 degrees, at an input angle of 23\n"
-            "  at point 32: 2, down to 8.88 degrees, at an input angle of 22\n"
-            "  at point 34: 2, down to 8.89 degrees, at an input angle of 21\n"
-            "  at point 36: 2, down to 8.9 degrees, at an input angle of 20\n"
-            "  at point 38: 2, down to 8.91 degrees, at an input angle of 19\n"
+            "  at point 0: 2, down to 8.72 degrees, at input angles of 38 to 60\n"
+            "  at point 2: 2, down to 8.73 degrees, at input angles of 37 to 59\n"
+            "  at point 4: 2, down to 8.74 degrees, at input angles of 36 to 58\n"
+            "  at point 6: 2, down to 8.75 degrees, at input angles of 35 to 57\n"
+            "  at point 8: 2, down to 8.76 degrees, at input angles of 34 to 56\n"
+            "  at point 10: 2, down to 8.77 degrees, at input angles of 33 to 55\n"
+            "  at point 12: 2, down to 8.78 degrees, at input angles of 32 to 54\n"
+            "  at point 14: 2, down to 8.79 degrees, at input angles of 31 to 53\n"
+            "  at point 16: 2, down to 8.8 degrees, at input angles of 30 to 52\n"
+            "  at point 18: 2, down to 8.81 degrees, at input angles of 29 to 51\n"
+            "  at point 20: 2, down to 8.82 degrees, at input angles of 28 to 50\n"
+            "  at point 22: 2, down to 8.83 degrees, at input angles of 27 to 49\n"
+            "  at point 24: 2, down to 8.84 degrees, at input angles of 26 to 48\n"
+            "  at point 26: 2, down to 8.85 degrees, at input angles of 25 to 47\n"
+            "  at point 28: 2, down to 8.86 degrees, at input angles of 24 to 46\n"
+            "  at point 30: 2, down to 8.87 degrees, at input angles of 23 to 45\n"
+            "  at point 32: 2, down to 8.88 degrees, at input angles of 22 to 44\n"
+            "  at point 34: 2, down to 8.89 degrees, at input angles of 21 to 43\n"
+            "  at point 36: 2, down to 8.9 degrees, at input angles of 20 to 42\n"
+            "  at point 38: 2, down to 8.91 degrees, at input angles of 19 to 41\n"
             "  and at 2 further points\n"
             "digest 00000000000000000000000000000000\n"
             "  overlap                   1\n"
@@ -998,6 +1023,7 @@ TEST(Certificate, with_everything_is_this_JSON) {
   "angle_histogram": [1, 0, 100, 200],
   "justified": [{"triangle": 0, "apex": 0, "input_angle_deg": 60.0, "angle_deg": 9.0},
                 {"triangle": 1, "apex": 2, "input_angle_deg": 59.0, "angle_deg": 9.0}],
+  "not_checked": [],
   "violation_counts": {"overlap": 1, "small_angle": 12},
   "violations": [{"kind": "overlap", "ids": [7, null], "where": [[1.0, 2.0], [3.0, 4.0]], "witness": "two things"},
                  {"kind": "small_angle", "ids": [], "where": [], "witness": "sharp"}],
