@@ -24,7 +24,9 @@ Status require_sizes(const Mesh& mesh, const Goal& goal, const Certificate& cert
 void print_certificate(const Certificate& certificate, const std::filesystem::path& json, double max_circumradius) {
   const std::string all_in = json.empty() ? "the file of --json" : json.string();
   fmt::print("{}", summary_text(certificate));
-  if (!certificate.valid) fmt::print("{}\n", findings_text(certificate, all_in, max_circumradius));
+  if (certificate.valid) return;
+  fmt::print("{}\nnote    vertices, triangles, points, segments, holes and regions are numbered from 0 here\n",
+             findings_text(certificate, all_in, max_circumradius));
 }
 
 }  // namespace pardel::cli

@@ -54,6 +54,11 @@ Result<CheckInput, Refusal> read(const CheckArguments& arguments, ProgressBar& b
   bar.begin("reading " + arguments.mesh.string());
   Result<Mesh> mesh = read_mesh(arguments.mesh);
   if (!mesh) return Refusal(mesh.error());
+  // A .msh has no attributes: values at its nodes are results.
+  if (mesh_format(arguments.mesh) == MeshFormat::msh) {
+    mesh->attributes_per_point = 0;
+    mesh->point_attributes.clear();
+  }
   const Result<SizeField> sizes = read_size_field(arguments.goal.sizes);
   if (!sizes) return Refusal(sizes.error());
   Result<Goal> goal = make_goal(arguments.goal, *sizes, *domain);
@@ -61,13 +66,18 @@ Result<CheckInput, Refusal> read(const CheckArguments& arguments, ProgressBar& b
   return CheckInput{std::move(*domain), std::move(*mesh), std::move(*goal)};
 }
 
+/// The file with the coordinates of the mesh.
+std::filesystem::path file_of_points(std::filesystem::path mesh) {
+  return mesh.extension() == ".ele" ? mesh.replace_extension(".node") : mesh;
+}
+
 void print(const CheckArguments& arguments, const Mesh& mesh, const Certificate& certificate) {
   print_certificate(certificate, arguments.json, arguments.max_circumradius);
   if (are_input_points_rounded(certificate, mesh)) {
-    fmt::print(
-        "hint    vertices differ from input points by rounding only: {} has too few digits. Gmsh writes exact "
-        "coordinates with -bin -format msh41\n",
-        arguments.mesh.string());
+    const bool is_msh = mesh_format(arguments.mesh) == MeshFormat::msh;
+    fmt::print("hint    vertices differ from input points by rounding only: {} has too few digits{}\n",
+               file_of_points(arguments.mesh).string(),
+               is_msh ? ". Gmsh writes exact coordinates with -bin -format msh41" : "");
   }
 }
 

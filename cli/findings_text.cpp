@@ -9,13 +9,12 @@
 #include <numbers>
 #include <optional>
 
+#include "../core/support/doubled_area.hpp"
 #include "length.hpp"
 #include "verdict.hpp"
 
 namespace pardel::cli {
 namespace {
-
-double doubled_area(Point a, Point b, Point c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
 
 /// The angle at `p`, in degrees.
 double angle(Point p, Point a, Point b) {
@@ -74,7 +73,8 @@ std::string sentence(const Violation& violation, const Goal& goal, double max_ci
     case ViolationKind::large_area:
       return above(triangle(), "area", area(), goal.max_area);
     case ViolationKind::region_area:
-      return fmt::format("{}: area {:.4g} is above the cap of its region", triangle(), area());
+      return fmt::format("{}: area {:.4g} is above{}", triangle(), area(),
+                         violation.witness.substr(violation.witness.rfind('>') + 1));
     case ViolationKind::long_edge:
       return above(fmt::format("edge {}-{} of triangle {}", ids[0], ids[1], ids[2]), "length", length(p[0], p[1]),
                    goal.max_edge);

@@ -80,18 +80,27 @@ void append_histogram(std::string& text, const std::vector<std::uint64_t>& histo
   }
 }
 
+/// The triangles that one apex justifies.
+struct Summary {
+  std::uint64_t triangles = 0;
+  double least_input_angle = 180, largest_input_angle = 0, angle = 180;
+};
+
+std::string input_angles_text(const Summary& summary) {
+  const std::string least = to_short_text(summary.least_input_angle);
+  const std::string largest = to_short_text(summary.largest_input_angle);
+  return least == largest ? "an input angle of " + least : "input angles of " + least + " to " + largest;
+}
+
 /// One line for each apex: the number of triangles it justifies, and the smallest angle among them.
 void append_justified(std::string& text, const std::vector<Justified>& justified) {
   if (justified.empty()) return;
-  struct Summary {
-    std::uint64_t triangles = 0;
-    double input_angle = 180, angle = 180;
-  };
   std::map<Index, Summary> by_apex;
   for (const Justified& j : justified) {
     Summary& summary = by_apex[j.apex];
     ++summary.triangles;
-    summary.input_angle = std::min(summary.input_angle, j.input_angle_deg);
+    summary.least_input_angle = std::min(summary.least_input_angle, j.input_angle_deg);
+    summary.largest_input_angle = std::max(summary.largest_input_angle, j.input_angle_deg);
     summary.angle = std::min(summary.angle, j.angle_deg);
   }
   text +=
@@ -104,8 +113,7 @@ void append_justified(std::string& text, const std::vector<Justified>& justified
       break;
     }
     text += "  at point " + to_text(apex) + ": " + to_text(summary.triangles) + ", down to " +
-            to_short_text(summary.angle) + " degrees, at an input angle of " + to_short_text(summary.input_angle) +
-            '\n';
+            to_short_text(summary.angle) + " degrees, at " + input_angles_text(summary) + '\n';
   }
 }
 
@@ -167,6 +175,7 @@ std::string summary_text(const Certificate& certificate) {
   text += "  " + padded("equilateral triangles", 26) + to_text(certificate.equilateral) + '\n';
   append_histogram(text, certificate.angle_histogram);
   append_justified(text, certificate.justified);
+  for (const std::string& what : certificate.not_checked) text += "not checked: " + what + '\n';
   text += "digest " + to_string(certificate.digest) + '\n';
   return text;
 }
@@ -211,6 +220,7 @@ std::string to_json(const Certificate& certificate) {
               {"max_radius_edge_ratio", to_json(certificate.max_radius_edge_ratio)}}},
             {"angle_histogram", certificate.angle_histogram},
             {"justified", std::move(justified)},
+            {"not_checked", certificate.not_checked},
             {"violation_counts", std::move(counts)},
             {"violations", std::move(violations)},
             {"digest", to_string(certificate.digest)}};

@@ -46,6 +46,7 @@ Certificate check(const Pslg& pslg, const Mesh& mesh, const Goal& goal, const Ch
   certificate.vertices = mesh.points.size();
   certificate.triangles = mesh.triangles.size();
   certificate.constrained_edges = mesh.constrained_edges.size();
+  if (options.foreign) certificate.not_checked = not_checked(pslg, labels_of(mesh));
 
   StopSignal stop(StopSignal::unless(options.go_on));
   Findings found(options.max_violations, &stop);

@@ -82,6 +82,11 @@ class PieceCheck {
     const ShareOfRank of_triangles = share_of_rank(triangles, ranks_), of_listed = share_of_rank(listed, ranks_);
     certificate_.triangles = of_triangles.all;
     certificate_.constrained_edges = of_listed.all;
+    if (task_.options.foreign)
+      certificate_.not_checked = not_checked(task_.pslg, {.regions = somewhere(&KeptPiece::has_regions),
+                                                          .attributes = somewhere(&KeptPiece::has_attributes),
+                                                          .markers = somewhere(&KeptPiece::has_markers),
+                                                          .edges = of_listed.all > 0});
     if (std::max(of_triangles.all, of_listed.all) >= no_index)
       return Error{ErrorKind::resources, "the mesh has more triangles than can be checked at once"};
     auto triangle = static_cast<Index>(of_triangles.before), edge = static_cast<Index>(of_listed.before);

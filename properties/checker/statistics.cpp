@@ -6,6 +6,8 @@
 #include <numbers>
 #include <vector>
 
+#include "../../core/support/doubled_area.hpp"
+
 namespace pardel {
 namespace {
 
@@ -37,7 +39,9 @@ struct Extremes {
   }
   void add(Point a, Point b, Point c) {
     const Vector ab = b - a, bc = c - b, ca = a - c;
-    const double area2 = cross(ab, bc);
+    double area2 = cross(ab, bc);
+    constexpr double thin = 0x1p-12;
+    if (!(area2 > thin * (dot(ab, ab) + dot(bc, bc)))) area2 = pardel::doubled_area(a, b, c);
     const auto [least, most] = std::minmax({-dot(ca, ab), -dot(ab, bc), -dot(bc, ca)});
     const double one = least / area2, other = most / area2;  // in this order unless the triangle is clockwise
     largest_cotangent = std::max({largest_cotangent, one, other});

@@ -123,8 +123,77 @@ TEST_F(CheckCommand, vertices_that_differ_from_input_points_by_rounding_get_a_hi
     write("m.off", std::string("OFF\n3 1 0\n0 0 0\n") + x + " 0 0\n0 1 0\n3 0 1 2\n");
     const Ran ran = pardel({"check", "third.poly", "m.off", "--min-angle", "0"});
     EXPECT_EQ(ran.exit_code, 1) << ran;
-    EXPECT_EQ(bool(holds(ran.out, {"hint", "rounding", "-bin -format msh41"})), is_rounded) << ran;
+    EXPECT_EQ(bool(holds(ran.out, {"hint", "rounding only: m.off has too few digits\n"})), is_rounded) << ran;
   }
+}
+
+TEST_F(CheckCommand, what_the_mesh_or_the_domain_lacks_is_named) {
+  write("regions.poly", std::string(square_poly) + "1\n1 0.75 0.25 7 0\n");
+  const Ran ran = pardel({"check", "regions.poly", "m.ele"});
+  EXPECT_EQ(ran.exit_code, 0) << ran;
+  EXPECT_TRUE(holds(ran.out, {"not checked: regions of triangles: the mesh has none"})) << ran;
+  const json certificate = json::parse(pardel({"check", "regions.poly", "m.ele", "--json", "-"}).out);
+  EXPECT_EQ(certificate["not_checked"][0], "regions of triangles: the mesh has none");
+}
+
+/// Solvers write their results into the file of the mesh.
+TEST_F(CheckCommand, values_that_the_domain_does_not_have_are_no_fault) {
+  write("m.node", "4 2 1 0\n1 0 0 1.5\n2 1 0 2.5\n3 1 1 3.5\n4 0 1 4.5\n");
+  const Ran ran = pardel({"check", "square.poly", "m.ele"});
+  EXPECT_EQ(ran.exit_code, 0) << ran;
+  EXPECT_TRUE(holds(ran.out, {"not checked: attributes of vertices: the domain has none"})) << ran;
+}
+
+TEST_F(CheckCommand, values_at_the_nodes_of_a_msh_are_results_and_no_attributes) {
+  const std::string msh =
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n$EndNodes\n"
+      "$Elements\n2\n1 2 2 1 1 1 2 3\n2 2 2 1 1 1 3 4\n$EndElements\n"
+      "$NodeData\n1\n\"T\"\n1\n0.0\n3\n0\n1\n4\n1 1.0\n2 2.0\n3 3.0\n4 4.0\n$EndNodeData\n";
+  write("field.msh", msh);
+  write("attributes.poly", "4 2 1 0\n1 0 0 8\n2 1 0 8\n3 1 1 8\n4 0 1 8\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n");
+  for (const char* domain : {"square.poly", "attributes.poly"}) {
+    const Ran ran = pardel({"check", domain, "field.msh"});
+    EXPECT_EQ(ran.exit_code, 0) << ran;
+  }
+}
+
+TEST_F(CheckCommand, the_hint_about_rounding_is_given_only_for_rounded_points) {
+  const auto hints = [&](const std::string& x, const std::string& y) {
+    write("m.node", "4 2 0 0\n1 0 0\n2 1 0\n3 " + x + " " + y + "\n4 0 1\n");
+    write("far.poly", "5 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n5 1e20 3e19\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n");
+    const Ran ran = pardel({"check", "far.poly", "m.ele"});
+    EXPECT_EQ(ran.exit_code, x == "1" && y == "1" ? 0 : 1) << ran;
+    return ran.out.find("by rounding only: m.node has too few digits\n") != std::string::npos;
+  };
+  EXPECT_TRUE(hints("1.0000000000000002", "1"));
+  EXPECT_FALSE(hints("1.4", "1.2")) << "a far point does not make the difference small";
+  EXPECT_FALSE(hints("1.00001", "1"));
+  write("missing.poly", "5 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n5 0.5 0.25\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n");
+  write("m.node", "5 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n5 0.5 0.25\n");
+  const Ran ran = pardel({"check", "missing.poly", "m.ele"});
+  EXPECT_EQ(ran.exit_code, 1) << ran;
+  EXPECT_EQ(ran.out.find("rounding"), std::string::npos) << "the point has no triangle, but is not rounded";
+}
+
+TEST_F(CheckCommand, areas_beside_a_far_corner_are_not_lost) {
+  write("needle.poly", "3 2 0 0\n1 0 0\n2 1 0\n3 1e20 3e19\n3 0\n1 1 2\n2 2 3\n3 3 1\n0\n");
+  write("m.node", "3 2 0 0\n1 0 0\n2 1 0\n3 1e20 3e19\n");
+  for (const char* corners : {"1 2 3", "2 3 1", "3 1 2"}) {
+    write("m.ele", std::string("1 3 0\n1 ") + corners + "\n");
+    const Ran ran = pardel({"check", "needle.poly", "m.ele", "--max-area", "1e19", "--min-angle", "0"});
+    EXPECT_EQ(ran.exit_code, 1) << ran;
+    EXPECT_TRUE(holds(ran.out, {"triangle 0: area 1.5e+19 is above 1e+19", "largest area              1.5e+19"})) << ran;
+  }
+}
+
+TEST_F(CheckCommand, a_wrong_region_is_named_by_its_attribute) {
+  write("regions.poly", std::string(square_poly) + "1\n1 0.75 0.25 7 0\n");
+  write("m.ele", "2 3 1\n1 1 2 3 7\n2 1 3 4 5\n");
+  const Ran ran = pardel({"check", "regions.poly", "m.ele"});
+  EXPECT_EQ(ran.exit_code, 1) << ran;
+  EXPECT_TRUE(holds(ran.out, {"triangle 1 has the region attribute 5, but its face has 7, that of region 0",
+                              "numbered from 0"}))
+      << ran;
 }
 
 }  // namespace

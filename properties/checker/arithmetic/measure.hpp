@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "../../../core/pslg.hpp"
+#include "../../../core/support/doubled_area.hpp"
 
 namespace pardel::checker {
 
@@ -13,10 +14,7 @@ namespace pardel::checker {
 
 [[nodiscard]] inline double distance(Point a, Point b) { return std::hypot(b.x - a.x, b.y - a.y); }
 
-/// Twice the signed area of a, b, c.
-[[nodiscard]] inline double doubled_area(Point a, Point b, Point c) {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
+using pardel::doubled_area;
 
 /// The angle at `corner` between the rays to a and b, in degrees, from 0 to 180.
 [[nodiscard]] inline double angle_deg(Point corner, Point a, Point b) {

@@ -1,5 +1,7 @@
 #include "kept_piece.hpp"
 
+#include "../stages/verdict.hpp"
+
 namespace pardel::checker {
 namespace {
 
@@ -28,7 +30,10 @@ KeptPiece kept_piece(const Piece& piece, const InputOfPieces* input, NumberSet& 
   kept.listed_edges = mesh.constrained_edges.size();
   kept.has_geometry = piece.sanity.geometry;
   kept.has_labels = piece.sanity.labels;
-  kept.has_regions = !mesh.region.empty();
+  const LabelsOfMesh labels = labels_of(mesh);
+  kept.has_regions = labels.regions;
+  kept.has_attributes = labels.attributes;
+  kept.has_markers = labels.markers;
   kept.is_described = piece.found > 0;
   if (!piece.sanity.geometry || input == nullptr) return kept;
   kept.is_counter_clockwise = piece.is_counter_clockwise;

@@ -9,7 +9,7 @@ namespace pardel::checker {
 
 struct KeptPiece {
   std::size_t points = 0, triangles = 0, listed_edges = 0;
-  bool has_geometry = false, has_labels = false, has_regions = false;
+  bool has_geometry = false, has_labels = false, has_regions = false, has_attributes = false, has_markers = false;
   bool is_counter_clockwise = false;  ///< all its triangles are
   /// Nothing can be found in the piece alone, whatever is outside, unless a triangle contains the seed of a hole or the
   /// input has regions. Then the piece is not read again.

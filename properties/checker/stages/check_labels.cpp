@@ -207,17 +207,16 @@ void check_regions(const Subject& subject, const Domain& domain, std::span<const
           return mesh.region_attributes[given] == regions[region].attribute && (foreign || given == region);
         });
     if (right) return;
-    const auto describe = [](Index region, double attribute) {
-      return "region " + to_text(region) + " (attribute " + to_text(attribute) + ")";
-    };
-    const std::string is = given == no_index ? "no region" : describe(given, mesh.region_attributes[given]);
-    const std::string belongs =
-        seeded.empty() ? "no region" : describe(seeded[0].second, regions[seeded[0].second].attribute);
+    const std::string is =
+        given == no_index ? "no region" : "the region attribute " + to_text(mesh.region_attributes[given]);
+    const std::string belongs = seeded.empty() ? "no region"
+                                               : to_text(regions[seeded[0].second].attribute) + ", that of region " +
+                                                     to_text(seeded[0].second);
     mine.add(ViolationKind::wrong_region, {subject.names.triangle(static_cast<Index>(t)), given},
              {subject.corner(mesh.triangles[t], 0), subject.corner(mesh.triangles[t], 1),
               subject.corner(mesh.triangles[t], 2)},
-             "triangle " + to_text(subject.names.triangle(static_cast<Index>(t))) + " is listed in " + is +
-                 " but lies in " + belongs);
+             "triangle " + to_text(subject.names.triangle(static_cast<Index>(t))) + " has " + is +
+                 ", but its face has " + belongs);
   });
 }
 

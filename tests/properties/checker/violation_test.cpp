@@ -669,21 +669,21 @@ TEST(Violations, of_regions) {
   c.mesh.region[2] = 0;
   c.mesh.region[5] = no_index;
   EXPECT_EQ(said_about(c),
-            "wrong_region: triangle 2 is listed in region 0 (attribute 7) but lies in region 1 (attribute 8) [ids 2 "
+            "wrong_region: triangle 2 has the region attribute 7, but its face has 8, that of region 1 [ids 2 "
             "0] at (4, 0), (4, 2), (2, 2)\n"
-            "wrong_region: triangle 5 is listed in no region but lies in region 0 (attribute 7) [ids 5 none] at (2, "
+            "wrong_region: triangle 5 has no region, but its face has 7, that of region 0 [ids 5 none] at (2, "
             "4), (0, 4), (2, 2)\n");
   c.pslg.regions.pop_back();
   EXPECT_EQ(said_about(c),
-            "wrong_region: triangle 1 is listed in region 1 (attribute 8) but lies in no region [ids 1 1] at (2, 0), "
+            "wrong_region: triangle 1 has the region attribute 8, but its face has no region [ids 1 1] at (2, 0), "
             "(4, 0), (2, 2)\n"
-            "wrong_region: triangle 2 is listed in region 0 (attribute 7) but lies in no region [ids 2 0] at (4, 0), "
+            "wrong_region: triangle 2 has the region attribute 7, but its face has no region [ids 2 0] at (4, 0), "
             "(4, 2), (2, 2)\n"
-            "wrong_region: triangle 3 is listed in region 1 (attribute 8) but lies in no region [ids 3 1] at (4, 2), "
+            "wrong_region: triangle 3 has the region attribute 8, but its face has no region [ids 3 1] at (4, 2), "
             "(4, 4), (2, 2)\n"
-            "wrong_region: triangle 4 is listed in region 1 (attribute 8) but lies in no region [ids 4 1] at (4, 4), "
+            "wrong_region: triangle 4 has the region attribute 8, but its face has no region [ids 4 1] at (4, 4), "
             "(2, 4), (2, 2)\n"
-            "wrong_region: triangle 5 is listed in no region but lies in region 0 (attribute 7) [ids 5 none] at (2, "
+            "wrong_region: triangle 5 has no region, but its face has 7, that of region 0 [ids 5 none] at (2, "
             "4), (0, 4), (2, 2)\n")
       << "the right half belongs to no region";
 }
@@ -706,7 +706,11 @@ TEST(Violations, of_attributes_that_a_file_has_and_the_input_has_not) {
   Case c = testing::square_in_two();
   c.mesh.attributes_per_point = 1;
   c.mesh.point_attributes.append(std::vector<double>{1, 2, 3, 4});
-  EXPECT_EQ(said_about_file(c), "wrong_count: attributes of a point: 1 entries instead of 0\n");
+  EXPECT_EQ(said_about_file(c), "") << "results, say";
+  EXPECT_EQ(said_about(c), "wrong_count: attributes of a point: 1 entries instead of 0\n");
+  c.pslg.attributes_per_point = 2;
+  c.pslg.point_attributes.assign(8, 1);
+  EXPECT_EQ(said_about_file(c), "wrong_count: attributes of a point: 1 entries instead of 2\n");
 }
 
 TEST(Violations, of_arrays_and_ids) {
