@@ -100,12 +100,19 @@ std::string sentence(const Violation& violation, const Goal& goal, double max_ci
   }
 }
 
+/// True if the place itself is what is wrong. A few digits would not show by how much.
+bool is_of_a_point(ViolationKind kind) {
+  return kind == ViolationKind::missing_input_vertex || kind == ViolationKind::chain_off_segment;
+}
+
 }  // namespace
 
 std::string in_words(const Violation& violation, const Goal& goal, double max_circumradius) {
   std::string text = sentence(violation, goal, max_circumradius);
   if (!violation.where.empty()) {
-    text += fmt::format(", at ({:.6g}, {:.6g})", violation.where.front().x, violation.where.front().y);
+    const Point at = violation.where.front();
+    text += is_of_a_point(violation.kind) ? fmt::format(", at ({}, {})", at.x, at.y)
+                                          : fmt::format(", at ({:.6g}, {:.6g})", at.x, at.y);
   }
   return text;
 }

@@ -124,6 +124,7 @@ TEST_F(CheckCommand, vertices_that_differ_from_input_points_by_rounding_get_a_hi
     const Ran ran = pardel({"check", "third.poly", "m.off", "--min-angle", "0"});
     EXPECT_EQ(ran.exit_code, 1) << ran;
     EXPECT_EQ(bool(holds(ran.out, {"hint", "rounding only: m.off has too few digits\n"})), is_rounded) << ran;
+    EXPECT_TRUE(holds(ran.out, {"at (0.30000000000000004, 0)"})) << "six digits would not show the difference";
   }
 }
 
