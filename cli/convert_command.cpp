@@ -85,30 +85,33 @@ Status convert(const ConvertArguments& arguments, const Pslg& domain, ProgressBa
   return Done{};
 }
 
-/// Sets `no_domain` if the boundary of the mesh is no domain, as where nodes are doubled. The .poly then has neither
-/// holes nor regions.
-Status write(const ConvertArguments& arguments, const Mesh& mesh, std::string& no_domain) {
+/// Returns why the .poly has neither holes nor regions: the boundary of the mesh is no domain, as where nodes are
+/// doubled. Nothing if it has them, or if there is no .poly.
+Result<std::string> write(const ConvertArguments& arguments, const Mesh& mesh) {
+  const auto done = [](Status written, std::string why) -> Result<std::string> {
+    if (!written) return written.error();
+    return why;
+  };
   if (mesh_format(arguments.output) != MeshFormat::triangle)
-    return write_mesh(mesh, {}, arguments.output, arguments.format.msh(), arguments.format.of_stream);
+    return done(write_mesh(mesh, {}, arguments.output, arguments.format.msh(), arguments.format.of_stream), {});
   // The .poly contains the holes and the regions, too.
   const Result<Pslg> pslg = domain_with(arguments.input, mesh);
-  if (!pslg) {
-    if (pslg.error().kind != ErrorKind::invalid_input) return with_name(pslg.error(), arguments.input.string());
-    no_domain = pslg.error().message;
-  }
+  if (!pslg && pslg.error().kind != ErrorKind::invalid_input)
+    return with_name(pslg.error(), arguments.input.string());
   const fs::path stem = fs::path(arguments.output).replace_extension();
-  return write_triangle_files(mesh, pslg ? *pslg : Pslg{}, stem, {.base = mesh.first_id.value});
+  return done(write_triangle_files(mesh, pslg ? *pslg : Pslg{}, stem, {.base = mesh.first_id.value}),
+              pslg ? "" : pslg.error().message);
 }
 
 Status convert(const ConvertArguments& arguments, const Mesh& mesh, ProgressBar& bar) {
-  std::string no_domain;
-  if (Status written = write(arguments, mesh, no_domain); !written) return written;
+  const Result<std::string> no_domain = write(arguments, mesh);
+  if (!no_domain) return no_domain.error();
   print(arguments, bar,
         plural(mesh.points.size(), "vertex", "vertices") + ", " + plural(mesh.triangles.size(), "triangle"),
         lost(mesh, arguments.output));
-  if (!no_domain.empty() && !arguments.quiet) {
+  if (!no_domain->empty() && !arguments.quiet) {
     fmt::print("note    the .poly has no holes and regions, because the boundary of the mesh is no domain:\n{}\n",
-               no_domain);
+               *no_domain);
   }
   return Done{};
 }

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "../core/support/doubled_area.hpp"
 #include "../parallel/mesher.hpp"
 #include "centroid.hpp"
 
@@ -68,18 +69,17 @@ std::vector<Index> faces(const Mesh& mesh, const EdgeSet& walls) {
   return face;
 }
 
-double doubled_area(const Mesh& mesh, const Triangle& t) {
-  const Point a = mesh.points[t.v[0]], b = mesh.points[t.v[1]], c = mesh.points[t.v[2]];
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
 /// The largest triangle of every face. Its centroid is inside the face in spite of rounding.
 std::vector<Index> largest(const Mesh& mesh, const std::vector<Index>& face) {
   const Index count = face.empty() ? 0 : *std::max_element(face.begin(), face.end()) + 1;
   std::vector<Index> best(count, no_index);
+  const auto area = [&](Index t) {
+    const auto [a, b, c] = mesh.triangles[t].v;
+    return doubled_area(mesh.points[a], mesh.points[b], mesh.points[c]);
+  };
   for (Index t = 0; t < face.size(); ++t) {
     Index& b = best[face[t]];
-    if (b == no_index || doubled_area(mesh, mesh.triangles[t]) > doubled_area(mesh, mesh.triangles[b])) b = t;
+    if (b == no_index || area(t) > area(b)) b = t;
   }
   return best;
 }

@@ -77,7 +77,8 @@ Status check_arguments(const DrawArguments& arguments) {
     return usage("--window needs X0,Y0,X1,Y1 with X0 below X1 and Y0 below Y1");
   // The picture is scaled by pixels per unit of length.
   constexpr double least = 1e-300, most = 1e300;
-  if (!w.empty() && !(std::max(w[2] - w[0], w[3] - w[1]) >= least && std::max(w[2] - w[0], w[3] - w[1]) <= most))
+  const double side = w.empty() ? 1 : std::max(w[2] - w[0], w[3] - w[1]);
+  if (side < least || side > most)
     return usage(fmt::format("--window: its larger side has to be between {} and {}", least, most));
   return check_folder(arguments.output);
 }

@@ -67,8 +67,8 @@ bool draw_hull_if_points_are_near(Work& work, const Snapping& snapping, StopSign
   constexpr int most_rounds = 8;
   Corners corners;
   Work drawn = work;
-  for (int round = 0; round < most_rounds && draw_sides(drawn, corners, snapping, stop); ++round) {
-  }
+  int rounds = 0;
+  while (rounds < most_rounds && draw_sides(drawn, corners, snapping, stop)) ++rounds;
   if (corners.empty() || is_open(corners, drawn.pslg)) return false;
   work = std::move(drawn);
   return true;

@@ -32,8 +32,8 @@ struct Work {
 /// Rounding puts points on a straight boundary a little inside of the convex hull. No flat triangle between such a
 /// point and the side of the hull helps anybody. So the sides become segments, which are bent to the points near them,
 /// and the domain ends at these segments. Their source is no_index. Changes nothing and returns false if no point is
-/// near a side, if all points lie on a line, or if the segments cannot be untangled. Precondition: `work` is untangled
-/// with the same snapping distances.
+/// near a side, if all points lie on a line, if the hull is so narrow that its sides fall into one, or if the segments
+/// cannot be untangled. Precondition: `work` is untangled with the same snapping distances.
 [[nodiscard]] bool draw_hull_if_points_are_near(Work& work, const Snapping& snapping, StopSignal& stop);
 
 }  // namespace pardel::engine

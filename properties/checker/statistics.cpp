@@ -16,7 +16,6 @@ struct Vector {
 };
 Vector operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
 double dot(Vector u, Vector v) { return u.x * v.x + u.y * v.y; }
-double cross(Vector u, Vector v) { return u.x * v.y - u.y * v.x; }
 
 constexpr double degrees = 180 / std::numbers::pi;
 
@@ -39,9 +38,7 @@ struct Extremes {
   }
   void add(Point a, Point b, Point c) {
     const Vector ab = b - a, bc = c - b, ca = a - c;
-    double area2 = cross(ab, bc);
-    constexpr double thin = 0x1p-12;
-    if (!(area2 > thin * (dot(ab, ab) + dot(bc, bc)))) area2 = pardel::doubled_area(a, b, c);
+    const double area2 = pardel::doubled_area(b, c, a);
     const auto [least, most] = std::minmax({-dot(ca, ab), -dot(ab, bc), -dot(bc, ca)});
     const double one = least / area2, other = most / area2;  // in this order unless the triangle is clockwise
     largest_cotangent = std::max({largest_cotangent, one, other});

@@ -128,6 +128,16 @@ TEST_F(CheckCommand, vertices_that_differ_from_input_points_by_rounding_get_a_hi
   }
 }
 
+TEST_F(CheckCommand, the_hint_about_a_msh_says_how_gmsh_writes_exact_coordinates) {
+  write("third.poly", "3 2 0 0\n1 0 0\n2 0.30000000000000004 0\n3 0 1\n3 0\n1 1 2\n2 2 3\n3 3 1\n0\n");
+  write("m.msh",
+        "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 0 0 0\n2 0.3 0 0\n3 0 1 0\n$EndNodes\n"
+        "$Elements\n1\n1 2 2 1 1 1 2 3\n$EndElements\n");
+  const Ran ran = pardel({"check", "third.poly", "m.msh", "--min-angle", "0"});
+  EXPECT_EQ(ran.exit_code, 1) << ran;
+  EXPECT_TRUE(holds(ran.out, {"hint", "rounding", "-bin -format msh41"})) << ran;
+}
+
 TEST_F(CheckCommand, what_the_mesh_or_the_domain_lacks_is_named) {
   write("regions.poly", std::string(square_poly) + "1\n1 0.75 0.25 7 0\n");
   const Ran ran = pardel({"check", "regions.poly", "m.ele"});

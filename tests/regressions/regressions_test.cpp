@@ -102,10 +102,8 @@ TEST(BoundsRegression, domains_near_the_smallest_coordinates_are_refined_as_far_
   }
 }
 
-/// The sides of triangles were compared with the floor after their lengths had been rounded by the far corner: to 0.
 TEST(BoundsRegression, vertex_almost_on_the_middle_of_a_side_leaves_no_triangle_too_large) {
-  for (const char* name :
-       {"vertex_almost_on_the_middle_of_a_side", "vertex_almost_on_the_middle_of_a_hull_side"}) {
+  for (const char* name : {"vertex_almost_on_the_middle_of_a_side", "vertex_almost_on_the_middle_of_a_hull_side"}) {
     const Pslg pslg = domain_for_bounds(name);
     Goal goal{.min_angle_deg = 0};
     for (const double size : {0.5, 0.1, 0.01, 0.003}) {
@@ -122,6 +120,7 @@ TEST(BoundsRegression, vertex_almost_on_the_middle_of_a_side_leaves_no_triangle_
   }
 }
 
+/// The sides of triangles were compared with the floor after their lengths had been rounded by the far corner: to 0.
 TEST(BoundsRegression, near_points_in_a_huge_outline_are_refined_wherever_points_are_placed) {
   const Pslg pslg = domain_for_bounds("near_points_in_a_huge_outline");
   for (const Placement placement : {Placement::circumcentre, Placement::off_centre, Placement::search}) {
