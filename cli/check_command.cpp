@@ -59,7 +59,7 @@ Result<CheckInput, Refusal> read(const CheckArguments& arguments, ProgressBar& b
     mesh->attributes_per_point = 0;
     mesh->point_attributes.clear();
   }
-  const Result<SizeField> sizes = read_size_field(arguments.goal.sizes);
+  const Result<GivenSizes> sizes = read_given_sizes(arguments.goal);
   if (!sizes) return Refusal(sizes.error());
   Result<Goal> goal = make_goal(arguments.goal, *sizes, *domain);
   if (!goal) return Refusal(goal.error());
@@ -84,13 +84,13 @@ void print(const CheckArguments& arguments, const Mesh& mesh, const Certificate&
 Status check_output_of(const CheckArguments& arguments) {
   const std::array outputs = {NamedFile{"--json", arguments.json}};
   const std::array inputs = {domain_input(arguments.domain), NamedFile{{}, arguments.mesh},
-                             NamedFile{{}, arguments.goal.sizes, false}};
+                             NamedFile{{}, arguments.goal.sizes, false}, NamedFile{{}, arguments.goal.sources, false}};
   if (Status fine = check_distinct(outputs, inputs); !fine) return fine;
   return check_folder(arguments.json);
 }
 
 Result<ExitCode> run(const CheckArguments& arguments) {
-  const std::array inputs = {arguments.domain, arguments.mesh, arguments.goal.sizes};
+  const std::array inputs = {arguments.domain, arguments.mesh, arguments.goal.sizes, arguments.goal.sources};
   if (Status fine = check_standard_input(inputs); !fine) return fine.error();
   if (Status fine = check_output_of(arguments); !fine) return fine.error();
   use_threads(arguments.threads);

@@ -106,11 +106,18 @@ void add_goal_options(CLI::App& app, GoalOptions& options, double largest_angle_
       ->check(within(0, most_feature_edges))
       ->type_name("K")
       ->group(group);
-  app.add_option("--grading", options.grading,
-                 "Edge lengths grow by at most G per unit of distance, from sizes, segments and narrow places")
-      ->check(positive_number("a limit on gradation"))
-      ->check(within(least_grading, INFINITY))
-      ->type_name("G")
+  auto* grading =
+      app.add_option("--grading", options.grading,
+                     "Edge lengths grow by at most G per unit of distance, from sizes, segments and narrow places")
+          ->check(positive_number("a limit on gradation"))
+          ->check(within(least_grading, INFINITY))
+          ->type_name("G")
+          ->group(group);
+  app.add_option("--sources", options.sources,
+                 "Edge lengths from which --grading lets lengths grow; each line is 'point X Y LENGTH',\n"
+                 "'marker M LENGTH' (segments and points) or 'region R LENGTH' (regions with attribute R)")
+      ->type_name("FILE")
+      ->needs(grading)
       ->group(group);
   app.add_flag("--conforming", options.conforming, "Make the mesh Delaunay, not only constrained Delaunay")
       ->group(group);
@@ -131,15 +138,28 @@ Goal goal_without_sizes(const GoalOptions& options) {
   return goal;
 }
 
-Result<Goal> make_goal(const GoalOptions& options, const SizeField& sizes, const ValidPslg& domain) {
+Result<GivenSizes> read_given_sizes(const GoalOptions& options) {
+  GivenSizes given;
+  Result<SizeField> field = read_size_field(options.sizes);
+  if (!field) return field.error();
+  given.field = std::move(*field);
+  if (options.sources.empty()) return given;
+  Result<SizeRules> rules = read_size_rules(options.sources);
+  if (!rules) return rules.error();
+  given.rules = std::move(*rules);
+  return given;
+}
+
+Result<Goal> make_goal(const GoalOptions& options, const GivenSizes& sizes, const ValidPslg& domain) {
   Goal goal = goal_without_sizes(options);
-  Result<std::function<double(Point)>> size = size_function(sizes, options.sizes.string(), domain);
+  Result<std::function<double(Point)>> size = size_function(sizes.field, options.sizes.string(), domain);
   if (!size) return size.error();
   goal.size = std::move(*size);
   if (!options.grading) return goal;
-  Result<std::vector<SizeSource>> sources = sources_of(sizes, domain, *options.grading);
+  Result<std::vector<SizeSource>> sources = sources_of(sizes.field, domain, *options.grading);
   if (!sources) return sources.error();
   goal.sources = std::move(*sources);
+  if (Status added = add_rules(sizes.rules, options.sources.string(), domain, goal); !added) return added.error();
   return goal;
 }
 

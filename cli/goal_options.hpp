@@ -10,6 +10,7 @@
 #include "../core/result.hpp"
 #include "../parallel/validate.hpp"
 #include "size_field.hpp"
+#include "size_rules.hpp"
 
 namespace pardel::cli {
 
@@ -19,7 +20,8 @@ struct GoalOptions {
   std::optional<double> max_area;
   std::optional<double> max_edge;
   bool regions = false;
-  std::filesystem::path sizes;  ///< the file of sizes; empty: none
+  std::filesystem::path sizes;    ///< the file of sizes; empty: none
+  std::filesystem::path sources;  ///< the file of places with sizes; empty: none
   std::optional<double> grading;
   std::optional<double> feature_size;
   bool conforming = false;
@@ -38,7 +40,14 @@ void add_goal_options(CLI::App& app, GoalOptions& options, double largest_angle_
 /// The goal without the size function.
 [[nodiscard]] Goal goal_without_sizes(const GoalOptions& options);
 
-/// The goal. `sizes`: what the file of options.sizes has.
-[[nodiscard]] Result<Goal> make_goal(const GoalOptions& options, const SizeField& sizes, const ValidPslg& domain);
+/// What the files of options.sizes and options.sources have.
+struct GivenSizes {
+  SizeField field;
+  SizeRules rules;
+};
+[[nodiscard]] Result<GivenSizes> read_given_sizes(const GoalOptions& options);
+
+/// The goal. `sizes`: what read_given_sizes() returned.
+[[nodiscard]] Result<Goal> make_goal(const GoalOptions& options, const GivenSizes& sizes, const ValidPslg& domain);
 
 }  // namespace pardel::cli

@@ -34,7 +34,7 @@ namespace {
 
 struct MeshInput {
   Source source;  ///< with --refine a mesh, otherwise a domain
-  SizeField sizes;
+  GivenSizes sizes;
   std::vector<Warning> warnings{};
 };
 
@@ -42,13 +42,13 @@ ValidateOptions how_to_validate(const MeshArguments& arguments) {
   return {.convex_hull = arguments.goal.convex_hull, .threads = arguments.options.threads};
 }
 
-Result<ValidPslg, Refusal> repair_domain(const MeshArguments& arguments, Domain domain, const SizeField& sizes) {
+Result<ValidPslg, Refusal> repair_domain(const MeshArguments& arguments, Domain domain, const GivenSizes& sizes) {
   Result<MaybeRepaired, Refusal> repaired =
       validated_or_repaired(std::move(domain), {.snap = arguments.snap, .convex_hull = arguments.goal.convex_hull},
                             arguments.options.threads);
   if (!repaired) return repaired.error();
   for (const std::string& line : repaired->log) warn(line);
-  if (repaired->original && std::holds_alternative<PointSizes>(sizes)) {
+  if (repaired->original && std::holds_alternative<PointSizes>(sizes.field)) {
     return Refusal({ErrorKind::usage,
                     "--sizes refers to the points of the input, which --repair changed; write the repaired "
                     "domain with 'pardel doctor' and give sizes for its points"});
@@ -63,14 +63,14 @@ Result<MeshInput, Refusal> read(const MeshArguments& arguments, ProgressBar& bar
   if (arguments.refine) {
     Result<CoarseMesh> coarse = read_coarse_mesh(arguments.input);
     if (!coarse) return Refusal(coarse.error());
-    Result<SizeField> sizes = read_size_field(arguments.goal.sizes);
+    Result<GivenSizes> sizes = read_given_sizes(arguments.goal);
     if (!sizes) return Refusal(sizes.error());
     seconds.read = watch.lap();
     return MeshInput{std::move(*coarse), std::move(*sizes)};
   }
   Result<Domain> domain = read_domain(arguments.input);
   if (!domain) return Refusal(domain.error());
-  Result<SizeField> sizes = read_size_field(arguments.goal.sizes);
+  Result<GivenSizes> sizes = read_given_sizes(arguments.goal);
   if (!sizes) return Refusal(sizes.error());
   seconds.read = watch.lap();
   bar.begin("validating " + arguments.input.string());
@@ -187,6 +187,7 @@ void describe(const MeshArguments& arguments, const Pslg& pslg, const Goal& goal
   run.has_attributes = pslg.attributes_per_point > 0;
   run.hull_by_default = !arguments.refine && !arguments.goal.convex_hull && pslg.segments.empty();
   run.sizes = arguments.goal.sizes;
+  run.sources = arguments.goal.sources;
   run.options = arguments.options;
   run.outputs = arguments.outputs;
   run.report = std::move(meshed.report);

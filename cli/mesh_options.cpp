@@ -68,6 +68,7 @@ void add_limits(CLI::App& app, MeshArguments& arguments) {
       ->check(positive_number("a length"))
       ->type_name("LENGTH")
       ->group("Limits");
+  add_keep_option(app, options)->group("Limits");
   app.add_option("--max-memory", arguments.max_memory_gib,
                  "Stop if the process needs more memory than this, in GiB (default: the memory available)")
       ->check(positive_number("an amount of memory"))
@@ -96,6 +97,15 @@ void add_forms_of_output(CLI::App& app, MeshArguments& arguments) {
 }
 
 }  // namespace
+
+CLI::Option* add_keep_option(CLI::App& app, Options& options) {
+  return app
+      .add_option("--keep", options.kept_markers,
+                  "Split no segment with one of these markers in the mesh; triangles that miss a bound for this\n"
+                  "reason are listed as kept_segment")
+      ->delimiter(',')
+      ->type_name("MARKER,...");
+}
 
 Status check_interior(Interior interior, const GoalOptions& goal) {
   const auto refuse = [](const std::string& why) { return Error{ErrorKind::usage, "--interior fill " + why}; };
@@ -178,11 +188,12 @@ std::vector<std::filesystem::path> all_outputs(const MeshArguments& arguments) {
 }
 
 Status check_outputs(const MeshArguments& arguments) {
-  const std::array inputs = {NamedFile{{}, arguments.input}, NamedFile{{}, arguments.goal.sizes, false}};
+  const std::array inputs = {NamedFile{{}, arguments.input}, NamedFile{{}, arguments.goal.sizes, false},
+                             NamedFile{{}, arguments.goal.sources, false}};
   std::vector<NamedFile> outputs;
   for (const auto& output : arguments.outputs) outputs.push_back({"-o", output});
   outputs.push_back({"--json", arguments.json});
-  if (Status fine = check_standard_input(std::array{arguments.input, arguments.goal.sizes}); !fine) return fine;
+  if (Status fine = check_standard_input(std::array{arguments.input, arguments.goal.sizes, arguments.goal.sources}); !fine) return fine;
   if (Status fine = check_stream_format(arguments.outputs, arguments.format.of_stream); !fine) return fine;
   if (Status fine = check_standard_output(all_outputs(arguments)); !fine) return fine;
   if (Status fine = check_mesh_outputs(arguments.outputs); !fine) return fine;

@@ -39,6 +39,9 @@ void add_ways_to_work(CLI::App& app, Options& options, std::vector<Index>& cells
 /// Takes over the columns and rows. Error: `usage` if the decomposition has none.
 [[nodiscard]] Status set_cells(const std::vector<Index>& cells, Options& options);
 
+/// Adds --keep: the markers of segments that are not split.
+CLI::Option* add_keep_option(CLI::App& app, Options& options);
+
 /// Refuses --interior fill where no triangle would be laid.
 [[nodiscard]] Status check_interior(Interior interior, const GoalOptions& goal);
 

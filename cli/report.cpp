@@ -38,12 +38,14 @@ nlohmann::ordered_json goal_json(const MeshRun& run) {
           {"max_edge", run.goal.max_edge},
           {"region_caps", run.goal.region_caps},
           {"sizes", run.sizes.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(run.sizes.string())},
+          {"sources", run.sources.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(run.sources.string())},
           {"grading", run.goal.grading},
           {"feature_size", run.goal.feature_edges},
           {"conforming", run.goal.conforming},
           {"convex_hull", run.goal.convex_hull},
           {"placement", placement_names[run.options.placement]},
           {"interior", interior_names[run.options.interior]},
+          {"kept_markers", run.options.kept_markers},
           {"max_vertices", run.options.max_vertices},
           {"min_edge", run.options.min_edge}};
 }

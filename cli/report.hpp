@@ -34,7 +34,8 @@ struct MeshRun {
   bool hull_by_default = false;     ///< the domain has no segments, and --convex-hull is not given
   bool region_caps_unused = false;  ///< regions have area caps, but the goal ignores them
   bool has_attributes = false;      ///< the points have
-  std::filesystem::path sizes;      ///< the file of goal.size, or empty
+  std::filesystem::path sizes;      ///< the file of --sizes, or empty
+  std::filesystem::path sources;    ///< the file of --sources, or empty
   Options options;
   Report report;
   MeshStatistics statistics;

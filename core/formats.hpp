@@ -23,6 +23,7 @@
 #include "ranks.hpp"
 #include "raster.hpp"
 #include "result.hpp"
+#include "size_rules.hpp"
 
 namespace pardel {
 
@@ -116,6 +117,9 @@ struct TriangleFiles {
 [[nodiscard]] Status write_area(const std::filesystem::path& file, std::span<const double> caps, int base = 1);
 /// Reads one positive number per input vertex. Format, as in Triangle's files: a line `n`, then n lines `i size`.
 [[nodiscard]] Result<std::vector<double>> read_sizes(const std::filesystem::path& file);
+/// Reads places at which edge lengths are wanted. Each line is `point X Y LENGTH`, `marker M LENGTH` or `region R
+/// LENGTH`; `#` begins a comment. Error: `invalid_input` if there is no rule, or a length that is not > 0.
+[[nodiscard]] Result<SizeRules> read_size_rules(const std::filesystem::path& file);
 
 /// Reads a raster; the suffix determines the format. Values that are missing become NaN.
 ///   .asc  an ESRI ASCII grid: NCOLS, NROWS, XLLCORNER or XLLCENTER, YLLCORNER or YLLCENTER, CELLSIZE (or DX and DY),

@@ -95,7 +95,7 @@ class Judgement {
       if (e.reason == ExemptReason::budget && mesh_.points.size() < options.max_vertices)
         return "the limit was not reached, with " + std::to_string(mesh_.points.size()) + " of " +
                std::to_string(options.max_vertices) + " vertices: " + listed;
-      if (e.reason == ExemptReason::kept_segment && !options.no_boundary_splits && !options.no_segment_splits)
+      if (e.reason == ExemptReason::kept_segment && may_split_all_segments(options))
         return "every segment may be split: " + listed;
       if ((e.reason == ExemptReason::min_edge || e.reason == ExemptReason::precision) && least_height() > 3)
         return "no triangle is so narrow that lengths are a reason: " + listed;
@@ -130,6 +130,10 @@ class Judgement {
              std::to_string(present - given);
     for (std::size_t v = given; options.no_segment_splits && v < mesh_.origin.size(); ++v)
       if (mesh_.origin[v] != interior_vertex) return "a segment was split at vertex " + std::to_string(v);
+    for (const ConstrainedEdge& e : mesh_.constrained_edges)
+      if (std::ranges::find(options.kept_markers, e.marker) != options.kept_markers.end() && std::max(e.a, e.b) >= given)
+        return "a segment with the kept marker " + std::to_string(e.marker) + " was split at vertex " +
+               std::to_string(std::max(e.a, e.b));
     for (const Triangle& triangle : mesh_.triangles)
       for (int k = 0; k < 3; ++k) {
         const Index a = triangle.v[k], b = triangle.v[(k + 1) % 3];

@@ -187,6 +187,9 @@ void decode_options(Supply& header, double side, Options& options) {
   if (header.flag(24)) options.min_edge = side * 0x1p-5;
   if (header.flag(16)) options.no_boundary_splits = true;
   if (header.flag(16)) options.no_segment_splits = true;
+  if (!options.no_boundary_splits || !options.no_segment_splits) return;
+  options.no_boundary_splits = options.no_segment_splits = false;  // both together mean no more than the second
+  options.kept_markers = {1, 3};
 }
 
 /// These two bytes are behind all others, and few of the inputs that were stored before have such a second one, so that
@@ -242,7 +245,7 @@ MeshCase decode_mesh_case(std::span<const std::uint8_t> bytes) {
   place(drawn, position);
   drawn.options.max_vertices += drawn.pslg.points.size();
   // A mesh whose segments may not be split is not conforming in general.
-  if (drawn.options.no_boundary_splits || drawn.options.no_segment_splits) drawn.goal.conforming = false;
+  if (!may_split_all_segments(drawn.options)) drawn.goal.conforming = false;
   return drawn;
 }
 

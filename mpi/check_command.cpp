@@ -64,12 +64,12 @@ void add_check_options(CLI::App& app, CheckArguments& arguments) {
 }
 
 Status check_arguments_of(const CheckArguments& arguments, const Ranks& ranks) {
-  if (Status fine = check_inputs(std::array{arguments.domain, arguments.goal.sizes}, ranks); !fine) return fine;
+  if (Status fine = check_inputs(std::array{arguments.domain, arguments.goal.sizes, arguments.goal.sources}, ranks); !fine) return fine;
   if (arguments.mesh.extension() != ".pvtu")
     return Error{ErrorKind::usage, fmt::format("the mesh {} must be a .pvtu", arguments.mesh.string())};
   const std::array outputs = {NamedFile{"--json", arguments.json}};
   const std::array inputs = {domain_input(arguments.domain), NamedFile{{}, arguments.mesh},
-                             NamedFile{{}, arguments.goal.sizes, false}};
+                             NamedFile{{}, arguments.goal.sizes, false}, NamedFile{{}, arguments.goal.sources, false}};
   if (Status fine = check_distinct(outputs, inputs); !fine) return fine;
   return check_folder(arguments.json);
 }

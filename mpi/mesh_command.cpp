@@ -105,6 +105,7 @@ void add_options(CLI::App& app, Arguments& arguments) {
                  "Insert no point that would make a shorter edge (default: the limit of double precision)")
       ->check(positive_number("a length"))
       ->type_name("LENGTH");
+  add_keep_option(app, arguments.options);
   add_threads_option(app, arguments.threads, "the mesh")
       ->description(
           "Number of threads of each rank; 0 or all (default): its share of the processors of its machine;\n"
@@ -229,7 +230,7 @@ Status check_number_of_pieces(const Arguments& arguments, int ranks) {
 }
 
 Status check_arguments(Arguments& arguments, const Ranks& ranks) {
-  if (Status fine = check_inputs(std::array{arguments.input, arguments.goal.sizes}, ranks); !fine) return fine;
+  if (Status fine = check_inputs(std::array{arguments.input, arguments.goal.sizes, arguments.goal.sources}, ranks); !fine) return fine;
   if (arguments.reading == Reading::parts && !may_divide(arguments))
     return Error{ErrorKind::usage,
                  "--read parts needs a .poly or .node, an interior that is refined on a lattice, and bounds that do "
@@ -237,7 +238,7 @@ Status check_arguments(Arguments& arguments, const Ranks& ranks) {
   if (Status fine = check_number_of_pieces(arguments, ranks.count()); !fine) return fine;
   if (Status fine = check_interior(arguments.options.interior, arguments.goal); !fine) return fine;
   const ExpectedOutputs expected{arguments.outputs, std::max(arguments.pieces, ranks.count())};
-  if (Status fine = check_outputs(expected, arguments.input, arguments.goal.sizes, ranks); !fine) return fine;
+  if (Status fine = check_outputs(expected, arguments.input, arguments.goal, ranks); !fine) return fine;
   return set_cells(arguments.cells, arguments.options);
 }
 

@@ -111,7 +111,7 @@ std::string names_of(std::span<const fs::path> outputs) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-Status check_outputs(const ExpectedOutputs& expected, const fs::path& input, const fs::path& sizes,
+Status check_outputs(const ExpectedOutputs& expected, const fs::path& input, const cli::GoalOptions& goal,
                      const Ranks& ranks) {
   std::vector<cli::NamedFile> files;  // the outputs, then the pieces of this rank
   for (const fs::path& output : expected.outputs) {
@@ -123,7 +123,8 @@ Status check_outputs(const ExpectedOutputs& expected, const fs::path& input, con
     for (int number = ranks.rank(); number < expected.pieces; number += ranks.count())
       files.push_back({fmt::format("-o {}:", output.string()), piece_of(output, number), false});
   }
-  const std::array inputs = {cli::NamedFile{{}, input}, cli::NamedFile{{}, sizes, false}};
+  const std::array inputs = {cli::NamedFile{{}, input}, cli::NamedFile{{}, goal.sizes, false},
+                             cli::NamedFile{{}, goal.sources, false}};
   if (Status fine = cli::check_distinct(files, inputs); !fine) return fine;
   for (const cli::NamedFile& piece : std::span(files).subspan(expected.outputs.size()))
     if (Status fine = check_file(piece.file); !fine) return fine;

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "../cli/goal_options.hpp"
 #include "../core/formats.hpp"
 #include "../parallel/distributed.hpp"
 #include "job.hpp"
@@ -20,10 +21,10 @@ struct ExpectedOutputs {
 };
 
 /// Errors: `usage` if a suffix is not .pvtu, .msh, .node or .ele, or if an output or a piece of this rank would replace
-/// or hide another file; `io` if a folder is not writable, or if a piece of this rank cannot get its name. `sizes`: the
-/// file with the field of sizes, or "".
+/// or hide another file; `io` if a folder is not writable, or if a piece of this rank cannot get its name. `goal`: has the
+/// names of files with sizes.
 [[nodiscard]] Status check_outputs(const ExpectedOutputs& expected, const std::filesystem::path& input,
-                                   const std::filesystem::path& sizes, const Ranks& ranks);
+                                   const cli::GoalOptions& goal, const Ranks& ranks);
 
 /// Collective, after check_outputs(). An error if a rank does not see the files that the first rank makes in the
 /// folders of the outputs: then the ranks are on machines that have no folder in common.

@@ -20,7 +20,7 @@ Status check_inputs(std::span<const std::filesystem::path> inputs, const Ranks& 
 Result<Problem> read_problem(const std::filesystem::path& file, const GoalOptions& options, int threads) {
   Result<Domain> domain = read_domain(file);
   if (!domain) return domain.error();
-  const Result<SizeField> sizes = read_size_field(options.sizes);
+  const Result<GivenSizes> sizes = read_given_sizes(options);
   if (!sizes) return sizes.error();
   Result<ValidPslg, Refusal> valid =
       validated(std::move(*domain), {.convex_hull = options.convex_hull, .threads = threads});

@@ -21,6 +21,7 @@
 #include "interpolation/coverage.hpp"
 #include "interpolation/graded_size.hpp"
 #include "interpolation/local_bound.hpp"
+#include "interpolation/region_sizes.hpp"
 #include "interpolation/steep_edges.hpp"
 #include "planning/run_plan.hpp"
 #include "planning/supervised.hpp"
@@ -196,7 +197,7 @@ Result<Meshed> refine_mesh(const Mesh& coarse, std::span<const double> max_areas
   if (std::ranges::any_of(max_areas, [](double cap) { return cap < INFINITY; })) {
     auto background = std::make_shared<Background>(coarse.points.span(), input.background, progress.threads());
     area_cap = OnBackground<TriangleValues>{
-        std::make_shared<const TriangleValues>(TriangleValues{std::move(background), max_areas})};
+        std::make_shared<const TriangleValues>(TriangleValues{std::move(background), {max_areas.begin(), max_areas.end()}})};
   }
   result.report.triangulate_seconds = watch.lap();
 
@@ -323,6 +324,20 @@ Result<std::vector<SizeSource>> size_sources(const Mesh& background, std::span<c
     Result<std::vector<std::array<Index, 3>>> triangles = triangles_of_background(background);
     if (!triangles) return triangles.error();
     return steep_edges(background.points.span(), *triangles, sizes, grading);
+  });
+}
+
+Result<RegionSizes> region_sizes(const ValidPslg& domain, std::span<const double> lengths, const Options& options) {
+  const std::size_t regions = domain.pslg().regions.size();
+  if (lengths.size() != regions)
+    return Error{ErrorKind::invalid_input,
+                 std::to_string(lengths.size()) + " lengths for " + std::to_string(regions) + " regions"};
+  for (std::size_t r = 0; r < regions; ++r)
+    if (!(lengths[r] > 0))
+      return Error{ErrorKind::invalid_input, "the length in region " + std::to_string(r + domain.pslg().first_id.value) +
+                                                 " must be positive, not " + shortest(lengths[r])};
+  return supervised(options, [&](const Options&, ProgressMonitor& progress) {
+    return sizes_of_faces(domain.pslg(), domain.convex_hull(), lengths, progress.threads());
   });
 }
 

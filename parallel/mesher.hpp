@@ -106,6 +106,17 @@ inline constexpr double largest_min_angle_deg = 33;
 [[nodiscard]] Result<std::vector<SizeSource>> size_sources(const Mesh& background, std::span<const double> sizes,
                                                            double grading);
 
+/// Edge lengths in the regions of a domain.
+struct RegionSizes {
+  std::function<double(Point)> size;  ///< for Goal::size: the length in the region around a point; infinity: none
+  std::vector<SizeSource> borders;    ///< for Goal::sources: the segments around these regions, with these lengths
+};
+/// lengths: one per region of the domain, > 0; infinity: none. Where a segment lies between two regions, both are
+/// sources. The function owns its data, and several threads may call it. A call takes O(log n). Errors: those of
+/// triangulate(); `invalid_input` if a length is not positive, or if their number is not that of the regions.
+[[nodiscard]] Result<RegionSizes> region_sizes(const ValidPslg& domain, std::span<const double> lengths,
+                                               const Options& options = {});
+
 /// The longest edge that Goal::size, Goal::grading and Goal::feature_edges allow at a point: mesh() uses this function.
 /// With one of the two latter bounds, it owns its data and finds a length in O(log n) on typical input. Otherwise it is
 /// Goal::size. Errors: those of check_goal(); `resources`.

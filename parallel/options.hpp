@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 #include "../core/mesh.hpp"
 #include "../core/pslg.hpp"
@@ -98,6 +99,8 @@ struct Options {
   double min_edge = 0;
   bool no_boundary_splits = false;  ///< do not split segments on the boundary of the domain (Triangle's switch -Y)
   bool no_segment_splits = false;   ///< do not split any segment (Triangle's switch -YY)
+  /// Do not split a segment whose edges have one of these markers in the mesh (ConstrainedEdge::marker).
+  std::vector<int> kept_markers{};
   // If one of the functions throws, the mesher returns a `usage` error with the text of the exception.
   /// Called in the calling thread during the whole run, about every 4 ms. Return false to stop with
   /// ErrorKind::cancelled: no further task starts, and the mesher returns as soon as each thread has done a few
@@ -110,5 +113,10 @@ struct Options {
   /// conforms to the domain; it need not satisfy the goal yet. An Error stops the refinement, and mesh() returns it.
   std::function<Status(const Mesh&, const Sweep&)> after_sweep{};
 };
+
+/// True if all segments may be split.
+[[nodiscard]] inline bool may_split_all_segments(const Options& options) {
+  return !options.no_boundary_splits && !options.no_segment_splits && options.kept_markers.empty();
+}
 
 }  // namespace pardel

@@ -45,6 +45,7 @@ class Drawing {
     options();
     limits();
     repetitions();
+    kept_markers();
   }
 
  private:
@@ -213,6 +214,16 @@ class Drawing {
     if (options.max_vertices > 0) note("limit");
   }
 
+  /// Keeps the segments of one or two markers: of the first segment, and of unmarked segments on the boundary.
+  void kept_markers() {
+    if (!random_.chance(12)) return;
+    std::vector<int>& kept = drawn_.options.kept_markers;
+    if (!drawn_.pslg.segments.empty()) kept.push_back(drawn_.pslg.segments.front().marker);
+    if (kept.empty() || random_.chance(3)) kept.push_back(1);
+    drawn_.goal.conforming = false;
+    note("kept_markers");
+  }
+
   void repetitions() {
     if (random_.chance(8)) {
       drawn_.refine_again = true;
@@ -271,7 +282,7 @@ bool GeneratedCase::has_angles_of_rounding() const {
 
 bool GeneratedCase::may_miss() const {
   return has_gaps_of_rounding() || has_angles_of_rounding() || is_tiny || options.min_edge > 0 ||
-         options.no_boundary_splits || options.no_segment_splits || goal.min_angle_deg > 30;
+         !may_split_all_segments(options) || goal.min_angle_deg > 30;
 }
 
 GeneratedCase generated_case(std::uint64_t seed, std::uint64_t number) {

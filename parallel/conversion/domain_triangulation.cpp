@@ -30,6 +30,7 @@ Result<DomainTriangulation> triangulate_domain(const Pslg& pslg, bool convex_hul
   domain.input_of_vertex = std::move(triangulated->input_of_vertex);
 
   std::vector<Constraint> constraints;
+  std::vector<int> markers;
   if (!pslg.segments.empty()) {
     SparseAsk ask(threads.stop);
     const std::vector<Index> vertex_of_input = inverse(domain.input_of_vertex.span(), ask);
@@ -40,7 +41,7 @@ Result<DomainTriangulation> triangulate_domain(const Pslg& pslg, bool convex_hul
         return Error{ErrorKind::invalid_input, "segment " + std::to_string(s) + " names a point that does not exist"};
       constraints.push_back({vertex_of_input[segment.a], vertex_of_input[segment.b]});
       domain.input_segment.push_back(s);
-      domain.segment_marker.push_back(segment.marker);
+      markers.push_back(segment.marker);
     }
   }
   if (Status inserted = insert_constraints(t, constraints, threads); !inserted) return inserted.error();
@@ -50,13 +51,13 @@ Result<DomainTriangulation> triangulate_domain(const Pslg& pslg, bool convex_hul
   for (const Constraint hull_edge : carve(t, rules, threads)) {
     constraints.push_back(hull_edge);
     domain.input_segment.push_back(no_index);
-    domain.segment_marker.push_back(0);
+    markers.push_back(0);
   }
   if (t.slots.empty())
     return Error{ErrorKind::invalid_input,
                  "the domain is empty: the segments enclose no area, or the holes remove all of it"};
   t.origin = make_array(threads, t.points.size(), [](std::size_t) { return input_vertex; });
-  domain.segments = DomainSegments(t.points, constraints, threads);
+  domain.segments = DomainSegments(t.points, constraints, markers, threads);
   return domain;
 }
 

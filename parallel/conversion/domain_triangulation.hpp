@@ -18,7 +18,6 @@ struct DomainTriangulation {
   DomainSegments segments;
   Array<Index> input_of_vertex;      ///< for each vertex that is an input point; all others keep their index
   std::vector<Index> input_segment;  ///< the input segment of each domain segment; no_index for an edge of the hull
-  std::vector<int> segment_marker;   ///< the marker of each domain segment
 };
 
 /// Triangulates the domain of a Pslg. The domain is the convex hull of the points if `convex_hull` is true or there are

@@ -73,9 +73,9 @@ void export_origins(DomainTriangulation& domain, Mesh& mesh, const Threads& thre
 /// The edges of segments that have a marker in the input, in the order of the segments.
 std::vector<const ConstrainedEdge*> edges_with_own_marker(const DomainTriangulation& domain, const Mesh& mesh) {
   std::vector<bool> has_marker;
-  for (std::size_t s = 0; s < domain.segment_marker.size(); ++s) {
+  for (Index s = 0; s < domain.segments.size(); ++s) {
     const Index input = domain.input_segment[s];
-    if (domain.segment_marker[s] == 0 || input == no_index) continue;
+    if (domain.segments[s].marker == 0 || input == no_index) continue;
     if (has_marker.size() <= input) has_marker.resize(std::size_t{input} + 1, false);
     has_marker[input] = true;
   }
@@ -152,7 +152,7 @@ std::optional<ConstrainedEdge> constrained_edge(const DomainTriangulation& domai
   const VertexId a = slot.from(side), b = slot.to(side);
   const Index segment = domain.segments.segment_of(domain.triangulation, a, b);
   if (segment == no_index) return std::nullopt;
-  int marker = domain.segment_marker[segment];
+  int marker = domain.segments[segment].marker;
   if (marker == 0 && slot.n[side].none()) marker = 1;
   return ConstrainedEdge{a, b, domain.input_segment[segment], marker};
 }

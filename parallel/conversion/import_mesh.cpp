@@ -80,9 +80,8 @@ Result<DomainTriangulation> import_mesh(const Mesh& mesh, const Threads& threads
   if (mesh.region.size() == mesh.triangles.size()) t.region = mesh.region;
   JoinedSegments joined = join_subsegments(mesh, constrain_edges(mesh, t, ask), threads);
   t.origin = std::move(joined.origin);
-  domain.segments = DomainSegments(t.points, joined.segments, threads);
+  domain.segments = DomainSegments(t.points, joined.segments, joined.segment_marker, threads);
   domain.input_segment = std::move(joined.input_segment);
-  domain.segment_marker = std::move(joined.segment_marker);
   domain.input_of_vertex.resize(t.points.size());
   for (Index v = 0; v < t.points.size(); ++v) domain.input_of_vertex[v] = v;
 

@@ -131,7 +131,7 @@ std::vector<Reason> Collector::reasons_for_markers() const {
     const Index segment = domain_.segments.segment_of(t_, a, b);
     if (segment == no_index) continue;
     const Index input = domain_.input_segment[segment];
-    const int marker = domain_.segment_marker[segment];
+    const int marker = domain_.segments[segment].marker;
     for (const VertexId v : {a, b})
       if (marker != 0 && input != no_index)
         add(v, 1 + input, marker);

@@ -137,7 +137,7 @@ void SegmentsAround::compute(const Threads& threads) {
   std::vector<Constraint> constraints;
   constraints.reserve(segments_.size());
   for (const auto& [s, name] : segments_) constraints.push_back({index_of(s.a), index_of(s.b)});
-  domain_segments_ = DomainSegments(points, constraints, threads);
+  domain_segments_ = DomainSegments(points, constraints, {}, threads);
   index_of_own_ = {};
 }
 

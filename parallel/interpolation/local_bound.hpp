@@ -25,10 +25,10 @@ struct PointValues {
   /// Of a limited function: where all points are near the background (coverage.hpp).
   [[nodiscard]] Steepness steepness() const { return background->steepness(values); }
 };
-/// A function that is constant on each triangle of a background. The values have to outlive it.
+/// A function that is constant on each triangle of a background.
 struct TriangleValues {
   std::shared_ptr<const Background> background;
-  std::span<const double> values;
+  std::vector<double> values;
   [[nodiscard]] double at(Point p, LocationHint& hint) const { return values[background->locate(p, hint).triangle]; }
   [[nodiscard]] static Steepness steepness() { return {}; }
 };

@@ -13,7 +13,6 @@ DomainTriangulation HeldSegments::domain_of_common() const {
   for (Index s = 0; s < common_; ++s) {
     common.segments.add(domain_.segments[s], domain_.segments.places_beside_ends(s));
     common.input_segment.push_back(domain_.input_segment[s]);
-    common.segment_marker.push_back(domain_.segment_marker[s]);
   }
   return common;
 }
@@ -65,9 +64,8 @@ void HeldSegments::place(const TravellingSegment& arrived, std::span<const Trave
   std::vector<PlaceBesideEnd> beside_ends;
   for (const TravellingPlace& each : places) beside_ends.push_back({each.at_b != 0 ? b : a, each.distance, each.gap});
   names_.bind(name, static_cast<Index>(domain_.segments.size()));
-  domain_.segments.add({a, b, arrived.cosine_at_a, arrived.cosine_at_b, apex}, beside_ends);
+  domain_.segments.add({a, b, arrived.cosine_at_a, arrived.cosine_at_b, apex, arrived.marker}, beside_ends);
   domain_.input_segment.push_back(arrived.input);
-  domain_.segment_marker.push_back(arrived.marker);
 }
 
 void HeldSegments::read(Reader& message, std::span<const VertexId> vertices) {

@@ -91,7 +91,7 @@ HeldSegments::TravellingSegment HeldSegments::travelling(Index segment, const Pl
           place_of(s.b),
           narrow,
           domain_.input_segment[segment],
-          domain_.segment_marker[segment],
+          s.marker,
           static_cast<Index>(domain_.segments.places_beside_ends(segment).size())};
 }
 

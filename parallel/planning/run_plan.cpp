@@ -33,9 +33,8 @@ std::vector<Point> corners_of(const Triangulation& t, const Threads& threads) {
 Status announce_least_size(const DomainTriangulation& domain, const Goal& goal, const Options& options,
                            const Threads& threads) {
   if (!options.before_refinement) return Done{};
-  const bool all_splits = !options.no_boundary_splits && !options.no_segment_splits;
   return options.before_refinement(
-      find_least_size(domain, all_splits ? goal.min_angle_deg : 0, options.min_edge, threads));
+      find_least_size(domain, may_split_all_segments(options) ? goal.min_angle_deg : 0, options.min_edge, threads));
 }
 
 bool bounds_lengths(const Goal& goal) { return goal.max_edge < INFINITY || goal.size || is_graded(goal); }
@@ -61,7 +60,7 @@ bool is_filled(const Goal& goal, const Options& options) {
   constexpr double largest_angle_deg = 30;
   const bool searches = placement_for(goal, options, false) == Placement::search && !bounds_lengths(goal);
   return goal.min_angle_deg <= (searches ? largest_min_angle_deg : largest_angle_deg) &&
-         !is_of_the_paper(options.decomposition) && !options.no_boundary_splits && !options.no_segment_splits;
+         !is_of_the_paper(options.decomposition) && may_split_all_segments(options);
 }
 
 /// The lengths of the edges of patches that keep the goal: in each region, and last in triangles without a region.

@@ -1,5 +1,7 @@
 #include "assessor.hpp"
 
+#include <algorithm>
+
 #include "../arithmetic/distance.hpp"
 #include "../triangulation/flips.hpp"
 
@@ -7,7 +9,14 @@ namespace pardel::engine {
 
 bool Assessor::forbidden(EdgeRef e) const {
   return options_.no_segment_splits || (options_.no_boundary_splits && t_.slot(e).n[e.side()].none()) ||
-         t_.on_border_of_patch(e);
+         (!options_.kept_markers.empty() && on_kept_segment(e)) || t_.on_border_of_patch(e);
+}
+
+bool Assessor::on_kept_segment(EdgeRef e) const {
+  const Index segment = segment_of(e);
+  int marker = segment == no_index ? 0 : segments_[segment].marker;
+  if (marker == 0 && t_.slot(e).n[e.side()].none()) marker = 1;  // as in the mesh
+  return std::ranges::find(options_.kept_markers, marker) != options_.kept_markers.end();
 }
 
 bool Assessor::below_floor(EdgeRef e) const {

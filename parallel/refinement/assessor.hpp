@@ -118,6 +118,8 @@ class Assessor {
   [[nodiscard]] Index region_of(TriangleId id) const { return t_.region.empty() ? no_index : t_.region[id]; }
 
  private:
+  /// True if the edge lies on a segment with one of Options::kept_markers.
+  [[nodiscard]] bool on_kept_segment(EdgeRef e) const;
   /// True if the side is shorter than the floor where it begins. Measures of triangles do not tell: they are rounded by
   /// the distance of the far corner.
   [[nodiscard]] bool undercuts_floor(EdgeRef side) const;

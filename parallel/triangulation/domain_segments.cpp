@@ -25,13 +25,14 @@ VertexId narrow_end(const DomainSegment& s) {
 }  // namespace
 
 DomainSegments::DomainSegments(const Array<Point>& points, std::span<const Constraint> constraints,
-                               const Threads& threads) {
+                               std::span<const int> markers, const Threads& threads) {
   SparseAsk ask(threads.stop);
   segments_.reserve(constraints.size());
   for (const Constraint c : constraints) {
     ask();
     segments_.push_back({std::min(c.a, c.b), std::max(c.a, c.b)});
   }
+  for (std::size_t s = 0; s < markers.size(); ++s) segments_[s].marker = markers[s];
   find_ends(ask);
   find_smallest_angles(points, threads);
   find_narrow_apexes(points, ask);

@@ -22,6 +22,7 @@ struct DomainSegment {
   /// The end at which other segments meet this one at less than one degree and at much less than at the other end.
   /// no_index if there is no such end, or if one of these other segments has another such end or none.
   VertexId narrow_apex = no_index;
+  int marker = 0;  ///< of the input segment; 0: it has none
 
   /// The cosine of the smallest angle with another segment at v; -1 if v is a vertex inside the segment.
   [[nodiscard]] double cosine_at(VertexId v) const { return v == a ? cosine_at_a : v == b ? cosine_at_b : -1; }
@@ -40,8 +41,10 @@ struct PlaceBesideEnd {
 class DomainSegments {
  public:
   DomainSegments() = default;
-  /// `points` holds the coordinates of the vertices. O(k log k) for k constraints.
-  DomainSegments(const Array<Point>& points, std::span<const Constraint> constraints, const Threads& threads = {});
+  /// `points` holds the coordinates of the vertices. `markers`: one per constraint; empty: no segment has one.
+  /// O(k log k) for k constraints.
+  DomainSegments(const Array<Point>& points, std::span<const Constraint> constraints,
+                 std::span<const int> markers = {}, const Threads& threads = {});
 
   // For a rank that has a part of the segments. What is added was computed where all segments around it are known.
   /// Adds a segment after the last one. Its direction and its angles stay as they are.

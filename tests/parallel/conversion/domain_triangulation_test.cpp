@@ -38,7 +38,7 @@ TEST(TriangulateDomain, records_the_input_segment_and_the_marker_of_each_segment
     const DomainSegment& found = domain->segments[s];
     EXPECT_EQ(std::minmax(segment.a, segment.b),
               std::minmax(domain->input_of_vertex[found.a], domain->input_of_vertex[found.b]));
-    EXPECT_EQ(domain->segment_marker[s], segment.marker);
+    EXPECT_EQ(domain->segments[s].marker, segment.marker);
   }
 }
 
@@ -48,7 +48,7 @@ TEST(TriangulateDomain, adds_hull_edges_that_have_no_input_segment) {
   ASSERT_TRUE(domain);
   EXPECT_EQ(samples::twice_area(domain->triangulation), 2 * 16);
   EXPECT_EQ(domain->input_segment, std::vector<Index>(4, no_index));
-  EXPECT_EQ(domain->segment_marker, std::vector<int>(4, 0));
+  for (Index s = 0; s < 4; ++s) EXPECT_EQ(domain->segments[s].marker, 0);
 }
 
 TEST(TriangulateDomain, rejects_an_empty_domain) {

@@ -83,7 +83,7 @@ TEST(HeldSegments, travel_with_their_angles_and_with_the_places_beside_their_end
     EXPECT_EQ(after[segment].cosine_at_b, before[s].cosine_at_b);
     EXPECT_EQ(after[segment].narrow_apex, renumbered(before[s].narrow_apex));
     EXPECT_EQ(other.input_segment[segment], home.domain.input_segment[s]);
-    EXPECT_EQ(other.segment_marker[segment], home.domain.segment_marker[s]);
+    EXPECT_EQ(other.segments[segment].marker, home.domain.segments[s].marker);
     const auto expected = before.places_beside_ends(s), found = after.places_beside_ends(segment);
     ASSERT_EQ(found.size(), expected.size());
     for (std::size_t i = 0; i < found.size(); ++i) {

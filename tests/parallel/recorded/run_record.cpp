@@ -200,12 +200,18 @@ void record_refinement(Record& record, DomainTriangulation& domain, const Criter
                       all.text());
 }
 
+std::vector<int> markers_of(const DomainSegments& segments) {
+  std::vector<int> markers;
+  for (Index s = 0; s < segments.size(); ++s) markers.push_back(segments[s].marker);
+  return markers;
+}
+
 /// The mesh as the start of another run, in which the triangles have caps.
 void record_refinement_of_mesh(Record& record, const Mesh& mesh) {
   const Result<DomainTriangulation> again = import_mesh(mesh, record.threads());
   if (!again) return record.end_of_stage("import", again.error().message);
-  record.end_of_stage(
-      "import", fingerprint(again->triangulation, again->input_of_vertex, again->input_segment, again->segment_marker));
+  record.end_of_stage("import", fingerprint(again->triangulation, again->input_of_vertex, again->input_segment,
+                                            markers_of(again->segments)));
   std::vector<double> caps;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const auto& v = mesh.triangles[i].v;
@@ -248,7 +254,7 @@ void record_features(Record& record, const Pslg& pslg) {
 
 std::string domain_text(const DomainTriangulation& domain) {
   Fingerprint all;
-  all.add_all(domain.triangulation, domain.input_of_vertex, domain.input_segment, domain.segment_marker);
+  all.add_all(domain.triangulation, domain.input_of_vertex, domain.input_segment, markers_of(domain.segments));
   for (Index s = 0; s < domain.segments.size(); ++s) {
     const DomainSegment& segment = domain.segments[s];
     all.add_all(segment.a, segment.b, segment.cosine_at_a, segment.cosine_at_b, segment.narrow_apex);

@@ -1,0 +1,17 @@
+// The places with edge lengths that --sources names.
+#pragma once
+
+#include <string>
+
+#include "../core/goal.hpp"
+#include "../core/result.hpp"
+#include "../core/size_rules.hpp"
+#include "../parallel/validate.hpp"
+
+namespace pardel::cli {
+
+/// Adds the lengths to Goal::sources, and those in regions also to Goal::size. `name` names their file in messages.
+/// Error: `invalid_input` with the line of a rule whose marker or region the domain does not have.
+[[nodiscard]] Status add_rules(const SizeRules& rules, const std::string& name, const ValidPslg& domain, Goal& goal);
+
+}  // namespace pardel::cli

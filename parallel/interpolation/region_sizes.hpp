@@ -1,0 +1,15 @@
+// The edge lengths that regions of a domain ask for.
+#pragma once
+
+#include <span>
+
+#include "../concurrency/threads.hpp"
+#include "../mesher.hpp"
+
+namespace pardel::engine {
+
+/// As region_sizes() (mesher.hpp). Preconditions: the Pslg is valid; there is one length > 0 per region.
+[[nodiscard]] Result<RegionSizes> sizes_of_faces(const Pslg& pslg, bool convex_hull, std::span<const double> lengths,
+                                                 const Threads& threads);
+
+}  // namespace pardel::engine
