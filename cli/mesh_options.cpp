@@ -193,7 +193,9 @@ Status check_outputs(const MeshArguments& arguments) {
   std::vector<NamedFile> outputs;
   for (const auto& output : arguments.outputs) outputs.push_back({"-o", output});
   outputs.push_back({"--json", arguments.json});
-  if (Status fine = check_standard_input(std::array{arguments.input, arguments.goal.sizes, arguments.goal.sources}); !fine) return fine;
+  if (Status fine = check_standard_input(std::array{arguments.input, arguments.goal.sizes, arguments.goal.sources});
+      !fine)
+    return fine;
   if (Status fine = check_stream_format(arguments.outputs, arguments.format.of_stream); !fine) return fine;
   if (Status fine = check_standard_output(all_outputs(arguments)); !fine) return fine;
   if (Status fine = check_mesh_outputs(arguments.outputs); !fine) return fine;

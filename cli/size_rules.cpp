@@ -22,8 +22,7 @@ bool add_marked(const SizeRules::OnMarker& rule, const Pslg& pslg, std::vector<S
   for (const Segment& s : pslg.segments)
     if (s.marker == rule.marker) sources.push_back(source(pslg.points[s.a], pslg.points[s.b], rule.length));
   for (std::size_t v = 0; v < pslg.point_markers.size(); ++v)
-    if (pslg.point_markers[v] == rule.marker)
-      sources.push_back(source(pslg.points[v], pslg.points[v], rule.length));
+    if (pslg.point_markers[v] == rule.marker) sources.push_back(source(pslg.points[v], pslg.points[v], rule.length));
   return sources.size() > before;
 }
 
@@ -38,9 +37,8 @@ Result<std::vector<double>> lengths_in_regions(const SizeRules& rules, const std
       lengths[r] = std::min(lengths[r], rule.length);
     }
     if (!found)
-      return Error{ErrorKind::invalid_input,
-                   fmt::format("{}:{}: no region of the domain has the attribute {}", name, rule.line,
-                               shortest(rule.attribute))};
+      return Error{ErrorKind::invalid_input, fmt::format("{}:{}: no region of the domain has the attribute {}", name,
+                                                         rule.line, shortest(rule.attribute))};
   }
   return lengths;
 }
@@ -68,9 +66,9 @@ Status add_rules(const SizeRules& rules, const std::string& name, const ValidPsl
     goal.sources.push_back(source(rule.place, rule.place, rule.length));
   for (const SizeRules::OnMarker& rule : rules.markers)
     if (!add_marked(rule, domain.pslg(), goal.sources))
-      return Error{ErrorKind::invalid_input,
-                   fmt::format("{}:{}: no segment and no point of the domain has the marker {}", name, rule.line,
-                               rule.marker)};
+      return Error{
+          ErrorKind::invalid_input,
+          fmt::format("{}:{}: no segment and no point of the domain has the marker {}", name, rule.line, rule.marker)};
   return add_regions(rules, name, domain, goal);
 }
 

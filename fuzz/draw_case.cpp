@@ -26,10 +26,12 @@ void print(const Pslg& pslg, const Goal& goal) {
 void print(const Pslg& pslg, const fuzz::MeshCase& drawn) {
   const auto& [original, goal, options, nudged, again, threads, ranks, seed, mixture] = drawn;
   print(pslg, goal);
-  std::printf("placement %d, decomposition %d, triangles per tile %u, vertices %llu, least edge %g, no splits %d %d, kept markers %zu\n",
-              static_cast<int>(options.placement), static_cast<int>(options.decomposition), options.triangles_per_tile,
-              static_cast<unsigned long long>(options.max_vertices), options.min_edge, options.no_boundary_splits,
-              options.no_segment_splits, options.kept_markers.size());
+  std::printf(
+      "placement %d, decomposition %d, triangles per tile %u, vertices %llu, least edge %g, no splits %d %d, kept "
+      "markers %zu\n",
+      static_cast<int>(options.placement), static_cast<int>(options.decomposition), options.triangles_per_tile,
+      static_cast<unsigned long long>(options.max_vertices), options.min_edge, options.no_boundary_splits,
+      options.no_segment_splits, options.kept_markers.size());
   std::printf("nudged %d, refined again %d, threads %d, ranks %d, seed %llu, mixture %d\n", nudged, again, threads,
               ranks, static_cast<unsigned long long>(seed), mixture);
 }

@@ -131,7 +131,8 @@ class Judgement {
     for (std::size_t v = given; options.no_segment_splits && v < mesh_.origin.size(); ++v)
       if (mesh_.origin[v] != interior_vertex) return "a segment was split at vertex " + std::to_string(v);
     for (const ConstrainedEdge& e : mesh_.constrained_edges)
-      if (std::ranges::find(options.kept_markers, e.marker) != options.kept_markers.end() && std::max(e.a, e.b) >= given)
+      if (std::ranges::find(options.kept_markers, e.marker) != options.kept_markers.end() &&
+          std::max(e.a, e.b) >= given)
         return "a segment with the kept marker " + std::to_string(e.marker) + " was split at vertex " +
                std::to_string(std::max(e.a, e.b));
     for (const Triangle& triangle : mesh_.triangles)

@@ -15,8 +15,8 @@ namespace {
 /// split, points a few units in the last place from their neighbours, small angles far off, an angle for which there is
 /// no proof.
 bool may_miss(const MeshCase& drawn, const Prepared& prepared) {
-  return drawn.options.min_edge > 0 || !may_split_all_segments(drawn.options) ||
-         drawn.nudged || prepared.far_off || drawn.goal.min_angle_deg > 30;
+  return drawn.options.min_edge > 0 || !may_split_all_segments(drawn.options) || drawn.nudged || prepared.far_off ||
+         drawn.goal.min_angle_deg > 30;
 }
 
 void require(const std::string& fault) {

@@ -64,7 +64,9 @@ void add_check_options(CLI::App& app, CheckArguments& arguments) {
 }
 
 Status check_arguments_of(const CheckArguments& arguments, const Ranks& ranks) {
-  if (Status fine = check_inputs(std::array{arguments.domain, arguments.goal.sizes, arguments.goal.sources}, ranks); !fine) return fine;
+  if (Status fine = check_inputs(std::array{arguments.domain, arguments.goal.sizes, arguments.goal.sources}, ranks);
+      !fine)
+    return fine;
   if (arguments.mesh.extension() != ".pvtu")
     return Error{ErrorKind::usage, fmt::format("the mesh {} must be a .pvtu", arguments.mesh.string())};
   const std::array outputs = {NamedFile{"--json", arguments.json}};

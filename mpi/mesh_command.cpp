@@ -230,7 +230,9 @@ Status check_number_of_pieces(const Arguments& arguments, int ranks) {
 }
 
 Status check_arguments(Arguments& arguments, const Ranks& ranks) {
-  if (Status fine = check_inputs(std::array{arguments.input, arguments.goal.sizes, arguments.goal.sources}, ranks); !fine) return fine;
+  if (Status fine = check_inputs(std::array{arguments.input, arguments.goal.sizes, arguments.goal.sources}, ranks);
+      !fine)
+    return fine;
   if (arguments.reading == Reading::parts && !may_divide(arguments))
     return Error{ErrorKind::usage,
                  "--read parts needs a .poly or .node, an interior that is refined on a lattice, and bounds that do "

@@ -21,8 +21,8 @@ struct ExpectedOutputs {
 };
 
 /// Errors: `usage` if a suffix is not .pvtu, .msh, .node or .ele, or if an output or a piece of this rank would replace
-/// or hide another file; `io` if a folder is not writable, or if a piece of this rank cannot get its name. `goal`: has the
-/// names of files with sizes.
+/// or hide another file; `io` if a folder is not writable, or if a piece of this rank cannot get its name. `goal`: has
+/// the names of files with sizes.
 [[nodiscard]] Status check_outputs(const ExpectedOutputs& expected, const std::filesystem::path& input,
                                    const cli::GoalOptions& goal, const Ranks& ranks);
 

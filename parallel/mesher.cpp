@@ -196,8 +196,8 @@ Result<Meshed> refine_mesh(const Mesh& coarse, std::span<const double> max_areas
   std::function<double(Point)> area_cap;
   if (std::ranges::any_of(max_areas, [](double cap) { return cap < INFINITY; })) {
     auto background = std::make_shared<Background>(coarse.points.span(), input.background, progress.threads());
-    area_cap = OnBackground<TriangleValues>{
-        std::make_shared<const TriangleValues>(TriangleValues{std::move(background), {max_areas.begin(), max_areas.end()}})};
+    area_cap = OnBackground<TriangleValues>{std::make_shared<const TriangleValues>(
+        TriangleValues{std::move(background), {max_areas.begin(), max_areas.end()}})};
   }
   result.report.triangulate_seconds = watch.lap();
 
@@ -334,7 +334,8 @@ Result<RegionSizes> region_sizes(const ValidPslg& domain, std::span<const double
                  std::to_string(lengths.size()) + " lengths for " + std::to_string(regions) + " regions"};
   for (std::size_t r = 0; r < regions; ++r)
     if (!(lengths[r] > 0))
-      return Error{ErrorKind::invalid_input, "the length in region " + std::to_string(r + domain.pslg().first_id.value) +
+      return Error{ErrorKind::invalid_input, "the length in region " +
+                                                 std::to_string(r + domain.pslg().first_id.value) +
                                                  " must be positive, not " + shortest(lengths[r])};
   return supervised(options, [&](const Options&, ProgressMonitor& progress) {
     return sizes_of_faces(domain.pslg(), domain.convex_hull(), lengths, progress.threads());

@@ -101,8 +101,8 @@ class Assessor {
   }
   /// The point that splits the constrained edge e.
   [[nodiscard]] Point point_on(EdgeRef e) const;
-  /// The points that split it on behalf of a triangle that is too large if point_on() cannot be inserted. None for other
-  /// triangles: with the bound on angles alone, they could bring about splits down to the floor.
+  /// The points that split it on behalf of a triangle that is too large if point_on() cannot be inserted. None for
+  /// other triangles: with the bound on angles alone, they could bring about splits down to the floor.
   [[nodiscard]] std::vector<Point> other_points_on(EdgeRef e, TriangleId on_behalf_of, LocalHints& hints) const;
   /// The point that splits a triangle, given the triangle's shortest side.
   [[nodiscard]] Point point_in(EdgeRef shortest, LocalHints& hints) const {

@@ -43,8 +43,8 @@ class DomainSegments {
   DomainSegments() = default;
   /// `points` holds the coordinates of the vertices. `markers`: one per constraint; empty: no segment has one.
   /// O(k log k) for k constraints.
-  DomainSegments(const Array<Point>& points, std::span<const Constraint> constraints,
-                 std::span<const int> markers = {}, const Threads& threads = {});
+  DomainSegments(const Array<Point>& points, std::span<const Constraint> constraints, std::span<const int> markers = {},
+                 const Threads& threads = {});
 
   // For a rank that has a part of the segments. What is added was computed where all segments around it are known.
   /// Adds a segment after the last one. Its direction and its angles stay as they are.

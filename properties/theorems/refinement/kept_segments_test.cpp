@@ -1,0 +1,105 @@
+// Segments that may not be split, chosen by their markers.
+#include <algorithm>
+#include <set>
+#include <vector>
+
+#include "../framework/shares.hpp"
+#include "meshing.hpp"
+
+namespace pardel::properties {
+namespace {
+
+constexpr int kept_marker = 7;
+
+/// Marks each segment with probability 1/3. Returns true if one was marked.
+bool mark_some_segments(Pslg& pslg) {
+  bool any = false;
+  for (Segment& s : pslg.segments)
+    if (*rc::gen::inRange(0, 3) == 0) {
+      s.marker = kept_marker;
+      any = true;
+    }
+  pslg.has_segment_markers = true;
+  return any;
+}
+
+/// The triangles of which a violation speaks: for an edge, those on both of its sides.
+std::vector<Index> triangles_of(const Violation& violation, const Mesh& mesh) {
+  if (violation.kind != ViolationKind::long_edge) return {violation.ids.front()};
+  const Index t = violation.ids[2];
+  std::vector<Index> both{t};
+  for (unsigned i = 0; i < 3; ++i) {
+    const Triangle& triangle = mesh.triangles[t];
+    const bool is_edge = triangle.v[i] != violation.ids[0] && triangle.v[i] != violation.ids[1];
+    if (is_edge && triangle.n[i] != no_index) both.push_back(triangle.n[i]);
+  }
+  return both;
+}
+
+PARDEL_PROPERTY(KeptSegments, are_not_split_and_what_misses_a_bound_for_this_is_listed,
+                {.statement = "Choose segments by a marker and keep them. In the mesh each of them is one edge. The "
+                              "mesh conforms and is constrained Delaunay, and each triangle that misses a bound is "
+                              "listed in the report. Two threads make the same mesh.",
+                 .source = "parallel/options.hpp, Options::kept_markers",
+                 .families = every_family}) {
+  Problem problem = some_problem(exhibit);
+  problem.goal.conforming = false;  // a mesh with segments that may not be split is not Delaunay in general
+  const bool any = mark_some_segments(problem.pslg);
+  Options options = some_options();
+  options.kept_markers = {kept_marker};
+  const Meshed result = meshed(problem, exhibit, options);
+  const Mesh& mesh = result.mesh;
+  std::vector<int> edges(problem.pslg.segments.size(), 0);
+  for (const ConstrainedEdge& e : mesh.constrained_edges)
+    if (e.segment != no_index) ++edges[e.segment];
+  for (std::size_t s = 0; s < edges.size(); ++s)
+    if (problem.pslg.segments[s].marker == kept_marker) RC_ASSERT(edges[s] <= 1);
+
+  std::set<Index> listed;
+  bool is_missed = false;
+  for (const Exemption& e : result.report.exempt) {
+    listed.insert(e.triangle);
+    is_missed = is_missed || e.reason == ExemptReason::kept_segment;
+  }
+  RC_ASSERT(any || !is_missed);
+  const Goal no_bounds{.min_angle_deg = 0, .convex_hull = problem.goal.convex_hull};
+  require_valid(check(problem.pslg, mesh, no_bounds));
+  for (const Violation& violation : check(problem.pslg, mesh, problem.goal).violations) {
+    const std::vector<Index> those = triangles_of(violation, mesh);
+    RC_ASSERT(std::ranges::any_of(those, [&](Index t) { return listed.contains(t); }));
+  }
+  classify(is_missed, "a bound is missed because of a kept segment", 20);
+  options.threads = 2;
+  RC_ASSERT(value_of(pardel::mesh(problem.pslg, problem.goal, options)).mesh == mesh);
+}
+
+PARDEL_PROPERTY(KeptSegments, of_other_markers_change_nothing,
+                {.statement = "If no segment has a marker that is kept, the mesh is that of a run without kept "
+                              "markers, where the interior is refined.",
+                 .source = "parallel/options.hpp, Options::kept_markers",
+                 .families = every_family}) {
+  const Problem problem = some_problem(exhibit);
+  Options options = some_options();
+  const Mesh plain = meshed(problem, exhibit, options).mesh;
+  options.kept_markers = {-kept_marker};
+  RC_ASSERT(value_of(mesh(problem.pslg, problem.goal, options)).mesh == plain);
+}
+
+PARDEL_PROPERTY(KeptSegments, can_be_all_segments,
+                {.statement = "Keeping the markers of all segments is the same as Options::no_segment_splits.",
+                 .source = "parallel/options.hpp, Options::kept_markers",
+                 .families = every_family}) {
+  Problem problem = some_problem(exhibit);
+  problem.goal.conforming = false;
+  std::set<int> markers{1};  // of unmarked edges on the boundary
+  for (const Segment& s : problem.pslg.segments) markers.insert(s.marker);
+  Options options = some_options();
+  options.kept_markers.assign(markers.begin(), markers.end());
+  const Mesh kept = meshed(problem, exhibit, options).mesh;
+  options.kept_markers.clear();
+  options.no_segment_splits = true;
+  RC_ASSERT(value_of(mesh(problem.pslg, problem.goal, options)).mesh == kept);
+}
+
+}  // namespace
+}  // namespace pardel::properties
