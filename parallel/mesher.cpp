@@ -25,6 +25,7 @@
 #include "interpolation/steep_edges.hpp"
 #include "planning/run_plan.hpp"
 #include "planning/supervised.hpp"
+#include "refinement/exemptions.hpp"
 #include "scheduling/limits.hpp"
 #include "scheduling/progress_monitor.hpp"
 
@@ -181,6 +182,14 @@ Status check_caps(const Mesh& coarse, std::span<const double> max_areas) {
   return Done{};
 }
 
+/// The mesh of a domain that meets the goal already.
+Mesh unchanged(DomainTriangulation domain, const Criteria& criteria, InputData input, const Options& options,
+               ProgressMonitor& progress, Report& report) {
+  const Threads& threads = progress.threads();
+  report.exempt = exemptions(domain.triangulation, domain.segments, criteria, options, false, threads);
+  return to_mesh(std::move(domain), std::move(input), threads);
+}
+
 Result<Meshed> refine_mesh(const Mesh& coarse, std::span<const double> max_areas, const Goal& goal,
                            const Options& options, ProgressMonitor& progress) {
   Stopwatch watch;
@@ -203,7 +212,10 @@ Result<Meshed> refine_mesh(const Mesh& coarse, std::span<const double> max_areas
 
   require_coverage(goal.size, coarse.points.span(), progress.threads());
   const Criteria criteria(guarded(goal), placement_for(goal, options, true), {}, area_cap);
-  Result<Mesh> mesh = refine_domain(std::move(*domain), criteria, std::move(input), options, progress, result.report);
+  const bool is_met = meets_goal(domain->triangulation, domain->segments, criteria, options, progress.threads());
+  Result<Mesh> mesh =
+      is_met ? unchanged(std::move(*domain), criteria, std::move(input), options, progress, result.report)
+             : refine_domain(std::move(*domain), criteria, std::move(input), options, progress, result.report);
   if (!mesh) return mesh.error();
   result.mesh = std::move(*mesh);
   if (regions_mix(coarse)) locate_regions(coarse, result.mesh, progress.threads());

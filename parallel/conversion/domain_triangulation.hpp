@@ -18,6 +18,21 @@ struct DomainTriangulation {
   DomainSegments segments;
   Array<Index> input_of_vertex;      ///< for each vertex that is an input point; all others keep their index
   std::vector<Index> input_segment;  ///< the input segment of each domain segment; no_index for an edge of the hull
+  /// Of a mesh that is refined: its subsegments, which the pieces of `segments` name. Their data count, not those of
+  /// whole segments. Of another domain: empty.
+  std::vector<ConstrainedEdge> subsegments{};
+  /// The origins of its vertices, which stay as they are.
+  std::vector<Index> given_origin{};
+
+  /// The input segment at p, a point of the domain segment.
+  [[nodiscard]] Index input_segment_at(Index segment, Point p) const {
+    return subsegments.empty() ? input_segment[segment]
+                               : subsegments[segments.pieces().at(triangulation.points, segment, p).number].segment;
+  }
+  /// The marker there.
+  [[nodiscard]] int marker_at(Index segment, Point p) const {
+    return segments.marker_at(triangulation.points, segment, p);
+  }
 };
 
 /// Triangulates the domain of a Pslg. The domain is the convex hull of the points if `convex_hull` is true or there are

@@ -67,6 +67,7 @@ void export_origins(DomainTriangulation& domain, Mesh& mesh, const Threads& thre
   name_input_segments(domain, threads);
   SparseAsk ask(threads.stop);
   restore_order_of_origins(domain.input_of_vertex.span(), origin, ask);
+  std::ranges::copy(domain.given_origin, origin.begin());
   mesh.origin = std::move(origin);
 }
 
@@ -115,15 +116,15 @@ double attribute_at(const Located& at, const PointData& data, std::size_t a) {
   return value;
 }
 
-/// The attributes of vertices inside segments of a mesh that was refined. Rounding has moved them off the sides of its
+/// The attributes of vertices that were inserted on segments of a mesh. Rounding has moved them off the sides of its
 /// triangles.
 void interpolate_on_sides(Mesh& mesh, const Background& on, const PointData& data, const Threads& threads) {
   const std::size_t k = data.attributes_per_point;
-  parallel_blocks(threads, mesh.points.size(), [&](std::size_t first, std::size_t last, std::size_t) {
+  const std::size_t given = data.points.size();
+  parallel_blocks(threads, mesh.points.size() - given, [&](std::size_t first, std::size_t last, std::size_t) {
     LocationHint hint;
-    for (std::size_t v = first; v < last; ++v) {
-      const Index origin = mesh.origin[v];
-      if (origin == interior_vertex || origin == input_vertex) continue;
+    for (std::size_t v = given + first; v < given + last; ++v) {
+      if (mesh.origin[v] == interior_vertex) continue;
       const Located at = on_nearest_side(on.locate(mesh.points[v], hint));
       for (std::size_t a = 0; a < k; ++a) mesh.point_attributes[v * k + a] = attribute_at(at, data, a);
     }
@@ -152,9 +153,11 @@ std::optional<ConstrainedEdge> constrained_edge(const DomainTriangulation& domai
   const VertexId a = slot.from(side), b = slot.to(side);
   const Index segment = domain.segments.segment_of(domain.triangulation, a, b);
   if (segment == no_index) return std::nullopt;
-  int marker = domain.segments[segment].marker;
+  const Point p = domain.triangulation.points[a], q = domain.triangulation.points[b];
+  const Point middle{0.5 * (p.x + q.x), 0.5 * (p.y + q.y)};
+  int marker = domain.marker_at(segment, middle);
   if (marker == 0 && slot.n[side].none()) marker = 1;
-  return ConstrainedEdge{a, b, domain.input_segment[segment], marker};
+  return ConstrainedEdge{a, b, domain.input_segment_at(segment, middle), marker};
 }
 
 void name_input_segments(DomainTriangulation& domain, const Threads& threads) {
@@ -162,7 +165,7 @@ void name_input_segments(DomainTriangulation& domain, const Threads& threads) {
   parallel_blocks(threads, origin.size(), [&](std::size_t first, std::size_t last, std::size_t) {
     for (std::size_t v = first; v < last; ++v)
       if (const Index segment = segment_of_origin(origin[v]); segment < domain.segments.size()) {
-        const Index input = domain.input_segment[segment];
+        const Index input = domain.input_segment_at(segment, domain.triangulation.points[v]);
         origin[v] = input == no_index ? hull_vertex : origin_on_segment(input);
       }
   });

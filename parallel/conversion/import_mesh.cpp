@@ -1,5 +1,6 @@
 #include "import_mesh.hpp"
 
+#include <algorithm>
 #include <string>
 
 #include "../../core/support/mesh_edges.hpp"
@@ -78,10 +79,16 @@ Result<DomainTriangulation> import_mesh(const Mesh& mesh, const Threads& threads
   t.points = mesh.points;
   if (Status linked = link_neighbours(mesh, t, ask); !linked) return linked.error();
   if (mesh.region.size() == mesh.triangles.size()) t.region = mesh.region;
-  JoinedSegments joined = join_subsegments(mesh, constrain_edges(mesh, t, ask), threads);
+  domain.subsegments = constrain_edges(mesh, t, ask);
+  JoinedSegments joined = join_subsegments(mesh, domain.subsegments, threads);
   t.origin = std::move(joined.origin);
-  domain.segments = DomainSegments(t.points, joined.segments, joined.segment_marker, threads);
-  domain.input_segment = std::move(joined.input_segment);
+  domain.given_origin.assign(mesh.points.size(), input_vertex);
+  if (mesh.origin.size() == mesh.points.size()) std::ranges::copy(mesh.origin, domain.given_origin.begin());
+  std::vector<int> markers;
+  for (const ConstrainedEdge& e : domain.subsegments) markers.push_back(e.marker);
+  domain.segments = DomainSegments(t.points, joined.segments, {}, threads);
+  domain.segments.set_pieces(std::move(joined.pieces), std::move(markers));
+  for (const Index first : joined.subsegment) domain.input_segment.push_back(domain.subsegments[first].segment);
   domain.input_of_vertex.resize(t.points.size());
   for (Index v = 0; v < t.points.size(); ++v) domain.input_of_vertex[v] = v;
 

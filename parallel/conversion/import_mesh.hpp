@@ -8,8 +8,8 @@
 
 namespace pardel::engine {
 
-/// Makes the domain that a mesh covers. Its segments are the constrained edges and the boundary edges of the mesh. They
-/// are joined to whole segments as far as the origins of the vertices allow (join_subsegments.hpp). Edges that are not
+/// Makes the domain that a mesh covers. Its segments are the constrained edges and the boundary edges of the mesh,
+/// which are joined where they continue each other on a straight line (join_subsegments.hpp). Edges that are not
 /// locally Delaunay are flipped. Errors: invalid_input if the mesh is not a manifold of positively oriented triangles
 /// with consistent neighbours; resources if it has more triangles than the engine can number. Runs on one
 /// thread.

@@ -1,88 +1,97 @@
 #include "join_subsegments.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
+
+#include "../../core/support/straight_points.hpp"
+#include "../arithmetic/predicates.hpp"
 
 namespace pardel::engine {
 namespace {
 
+/// The distance from the larger of |x| and |y| to the next larger double; 0 if both are 0.
+double unit(double x, double y) {
+  const double largest = std::max(std::abs(x), std::abs(y));
+  return largest == 0 ? 0 : std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
+}
+
+/// True if the inner points are at most two units off the line through the ends, and in order. The checker computes
+/// these units exactly, so they are slightly smaller here.
+bool is_straight(const Array<Point>& points, std::span<const Index> path) {
+  constexpr double units = 2 * (1 - 0x1p-20);
+  const Point a = points[path.front()], b = points[path.back()];
+  const double dx = b.x - a.x, dy = b.y - a.y;
+  const double allowed = units * (unit(a.x, b.x) * std::abs(dy) + unit(a.y, b.y) * std::abs(dx));
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const Point from = points[path[i - 1]], to = points[path[i]];
+    if (!((to.x - from.x) * dx + (to.y - from.y) * dy > 0)) return false;
+    if (i + 1 < path.size() && !(std::abs(exact::twice_area(a, b, to)) <= allowed)) return false;
+  }
+  return true;
+}
+
+std::vector<bool> straight_vertices(const Mesh& mesh, std::span<const ConstrainedEdge> subsegments,
+                                    const Threads& threads) {
+  std::vector<Segment> segments;
+  segments.reserve(subsegments.size());
+  for (const ConstrainedEdge& e : subsegments) segments.push_back({e.a, e.b});
+  return straight_points(
+      mesh.points.span(), segments, [&](std::span<const Index> path) { return is_straight(mesh.points, path); },
+      threads.stop);
+}
+
 class Joiner {
  public:
   Joiner(const Mesh& mesh, std::span<const ConstrainedEdge> subsegments, const Threads& threads)
-      : mesh_(mesh),
-        subsegments_(subsegments),
-        has_origins_(mesh.origin.size() == mesh.points.size()),
-        at_(mesh.points.size()),
+      : subsegments_(subsegments),
+        is_inside_(straight_vertices(mesh, subsegments, threads)),
+        at_(mesh.points.size(), {no_index, no_index}),
         done_(subsegments.size(), false),
         ask_(threads.stop) {
     for (Index s = 0; s < subsegments.size(); ++s) {
       ask_();
-      for (const Index v : {subsegments[s].a, subsegments[s].b}) {
-        if (at_[v].count < 2) at_[v].subsegments[at_[v].count] = s;
-        ++at_[v].count;
-      }
+      for (const Index v : {subsegments[s].a, subsegments[s].b})
+        if (is_inside_[v]) at_[v][at_[v][0] == no_index ? 0 : 1] = s;
     }
+    const bool has_origins = mesh.origin.size() == mesh.points.size();
     result_.origin.resize(mesh.points.size(), input_vertex);
-    for (std::size_t v = 0; has_origins_ && v < mesh.points.size(); ++v)
+    for (std::size_t v = 0; has_origins && v < mesh.points.size(); ++v)
       if (mesh.origin[v] == interior_vertex) result_.origin[v] = interior_vertex;
   }
 
   JoinedSegments run() {
-    for (Index s = 0; s < subsegments_.size(); ++s) {
-      if (done_[s]) continue;
-      if (!is_inside_segment(subsegments_[s].a))
-        follow(s, subsegments_[s].a);
-      else if (!is_inside_segment(subsegments_[s].b))
-        follow(s, subsegments_[s].b);
-    }
-    // A closed ring of subsegments is not a segment, even if all its vertices have the same segment as origin.
     for (Index s = 0; s < subsegments_.size(); ++s)
-      if (!done_[s]) add({subsegments_[s].a, subsegments_[s].b}, s);
+      for (const Index v : {subsegments_[s].a, subsegments_[s].b})
+        if (!done_[s] && !is_inside_[v]) follow(s, v);
     return std::move(result_);
   }
 
  private:
-  /// The subsegments that end at a vertex: their number and the first two.
-  struct Incident {
-    Index count = 0;
-    std::array<Index, 2> subsegments{no_index, no_index};
-  };
-
-  /// True if the vertex lies in the interior of a segment.
-  [[nodiscard]] bool is_inside_segment(Index v) const {
-    if (!has_origins_ || at_[v].count != 2) return false;
-    const ConstrainedEdge& first = subsegments_[at_[v].subsegments[0]];
-    const ConstrainedEdge& second = subsegments_[at_[v].subsegments[1]];
-    const Index segment = mesh_.origin[v] == hull_vertex ? no_index : segment_of_origin(mesh_.origin[v]);
-    const bool was_inserted = mesh_.origin[v] != input_vertex && mesh_.origin[v] != interior_vertex;
-    return was_inserted && first.segment == segment && second.segment == segment && first.marker == second.marker;
-  }
-
   /// Adds the segment that starts at `start` with subsegment s.
   void follow(Index s, Index start) {
-    const auto segment = static_cast<Index>(result_.segments.size());
-    const Index first = s;
-    Index v = start;
+    const Index segment = static_cast<Index>(result_.segments.size()), first = s;
+    std::vector<VertexId> path{start};
+    std::vector<Index> numbers;
     for (;;) {
       ask_();
       done_[s] = true;
-      v = subsegments_[s].a == v ? subsegments_[s].b : subsegments_[s].a;
-      if (!is_inside_segment(v)) break;
+      numbers.push_back(s);
+      const Index v = subsegments_[s].a == path.back() ? subsegments_[s].b : subsegments_[s].a;
+      path.push_back(v);
+      if (!is_inside_[v]) break;
       result_.origin[v] = origin_on_segment(segment);
-      s = at_[v].subsegments[0] == s ? at_[v].subsegments[1] : at_[v].subsegments[0];
+      s = at_[v][0] == s ? at_[v][1] : at_[v][0];
     }
-    add({start, v}, first);
+    result_.segments.push_back({start, path.back()});
+    result_.subsegment.push_back(first);
+    result_.pieces.add(path, numbers);
   }
 
-  void add(Constraint ends, Index subsegment) {
-    result_.segments.push_back(ends);
-    result_.input_segment.push_back(subsegments_[subsegment].segment);
-    result_.segment_marker.push_back(subsegments_[subsegment].marker);
-  }
-
-  const Mesh& mesh_;
   std::span<const ConstrainedEdge> subsegments_;
-  bool has_origins_;
-  std::vector<Incident> at_;
+  std::vector<bool> is_inside_;
+  std::vector<std::array<Index, 2>> at_;  ///< the two subsegments at a vertex inside a segment
   std::vector<bool> done_;
   SparseAsk ask_;
   JoinedSegments result_;

@@ -7,21 +7,25 @@
 
 #include "../../core/mesh.hpp"
 #include "../concurrency/threads.hpp"
+#include "../triangulation/segment_pieces.hpp"
 #include "../triangulation/triangulation.hpp"
 
 namespace pardel::engine {
 
 struct JoinedSegments {
   std::vector<Constraint> segments;
-  std::vector<Index> input_segment;  ///< for each segment, ConstrainedEdge::segment of its subsegments
-  std::vector<int> segment_marker;
-  /// Per vertex of the mesh: origin_on_segment() of the segment in whose interior it lies, else interior_vertex or
-  /// input_vertex.
+  std::vector<Index> subsegment;  ///< for each segment, its first subsegment
+  SegmentPieces pieces;           ///< the subsegments of each segment
+  /// Per vertex of the mesh: origin_on_segment() of the segment in whose interior it lies; else interior_vertex if this
+  /// is its origin in the mesh; else input_vertex.
   Array<Index> origin;
 };
 
-/// Two subsegments are joined at a vertex if the mesher inserted the vertex on their common segment (or hull edge) and
-/// no other subsegment ends there. In a mesh without origins every subsegment is a segment. O(vertices + subsegments).
+/// Two subsegments are joined at a vertex where they continue each other on a straight line and no other subsegment
+/// ends (core/support/straight_points.hpp): a vertex may be as far from the line as rounding can explain, twice the
+/// distance from one double to the next in each coordinate. Only the coordinates count, because no file contains the
+/// origins of vertices. So input points between two collinear segments are joined, too. O(vertices + n log n) for n
+/// subsegments on typical input.
 [[nodiscard]] JoinedSegments join_subsegments(const Mesh& mesh, std::span<const ConstrainedEdge> subsegments,
                                               const Threads& threads = {});
 

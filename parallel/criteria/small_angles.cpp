@@ -164,10 +164,12 @@ double fraction_of_pieces(double count, Point a, Point b) {
 }
 
 /// The point at this fraction of the edge a-b, which is a part of the segment.
-Point point_at(double fraction, const Triangulation& t, const DomainSegment& segment, Point a, Point b) {
+Point point_at(double fraction, const Triangulation& t, const DomainSegments& segments, Index number, Point a,
+               Point b) {
   const Point p{a.x + fraction * (b.x - a.x), a.y + fraction * (b.y - a.y)};
-  const Point on_line = projected(p, t.points[segment.a], t.points[segment.b]);
-  return usable_on_edge(on_line, a, b, t.points[segment.a], t.points[segment.b]);
+  const Constraint line = segments.line_at(t.points, number, p);
+  const Point from = t.points[line.a], to = t.points[line.b];
+  return usable_on_edge(projected(p, from, to), a, b, from, to);
 }
 
 double dot(Point o, Point p, Point q) { return (p.x - o.x) * (q.x - o.x) + (p.y - o.y) * (q.y - o.y); }
@@ -248,13 +250,13 @@ Point edge_split_point(const Triangulation& t, const DomainSegments& segments, I
   } else if (length > 1.5 * pieces) {
     fraction = fraction_of_pieces(std::round(length / pieces), pa, pb);
   }
-  return point_at(fraction, t, segment, pa, pb);
+  return point_at(fraction, t, segments, number, pa, pb);
 }
 
 std::vector<Point> other_edge_split_points(const Triangulation& t, const DomainSegments& segments, Index number,
                                            VertexId a, VertexId b) {
   if (lexicographically_less(t.points[b], t.points[a])) std::swap(a, b);
-  const auto at = [&](double fraction) { return point_at(fraction, t, segments[number], t.points[a], t.points[b]); };
+  const auto at = [&](double fraction) { return point_at(fraction, t, segments, number, t.points[a], t.points[b]); };
   return {at(0.375), at(0.625), at(0.3125), at(0.6875)};
 }
 

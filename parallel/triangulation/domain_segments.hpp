@@ -1,12 +1,15 @@
 // The segments of a domain, and the small angles between them.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "../concurrency/threads.hpp"
+#include "segment_pieces.hpp"
 #include "triangulation.hpp"
 
 namespace pardel::engine {
@@ -53,6 +56,26 @@ class DomainSegments {
   /// those that were added before. Precondition: the vertex was not added.
   void add_end(VertexId v, std::span<const Index> segments);
 
+  /// For a mesh that is refined: the subsegments of which the segments consist. Their ends are rounded, so new vertices
+  /// lie on the lines of the pieces, not on those of whole segments.
+  /// `markers`: one per subsegment. They count, not those of whole segments.
+  void set_pieces(SegmentPieces pieces, std::vector<int> markers) {
+    pieces_ = std::move(pieces);
+    markers_of_pieces_ = std::move(markers);
+  }
+  [[nodiscard]] const SegmentPieces& pieces() const { return pieces_; }
+  /// The ends of the segment, or those of its piece at p.
+  [[nodiscard]] Constraint line_at(const Array<Point>& points, Index segment, Point p) const {
+    if (pieces_.empty()) return {segments_[segment].a, segments_[segment].b};
+    const SegmentPieces::Piece piece = pieces_.at(points, segment, p);
+    return {std::min(piece.a, piece.b), std::max(piece.a, piece.b)};
+  }
+
+  /// The marker of the input segment at p, a point of the segment; 0: it has none.
+  [[nodiscard]] int marker_at(const Array<Point>& points, Index segment, Point p) const {
+    return pieces_.empty() ? segments_[segment].marker : markers_of_pieces_[pieces_.at(points, segment, p).number];
+  }
+
   [[nodiscard]] const DomainSegment& operator[](Index segment) const { return segments_[segment]; }
   [[nodiscard]] std::size_t size() const { return segments_.size(); }
 
@@ -98,6 +121,8 @@ class DomainSegments {
 
   std::vector<DomainSegment> segments_;
   std::vector<VertexId> ends_;          ///< the vertices at which segments end, in ascending order
+  SegmentPieces pieces_;                ///< empty if segments have no pieces
+  std::vector<int> markers_of_pieces_;  ///< by the number of a piece
   std::vector<PlaceBesideEnd> places_;  ///< on segment s: from first_place_[s] to first_place_[s + 1] - 1
   std::vector<Index> first_place_{0};
   std::vector<Index> start_{0}, incident_;  ///< at ends_[i] end the segments incident_[start_[i]] to start_[i + 1] - 1
