@@ -61,7 +61,7 @@ std::vector<Segment> with_hull(const Pslg& pslg, bool convex_hull, StopSignal* s
 }  // namespace
 
 Domain::Domain(const Pslg& pslg, bool convex_hull, StopSignal* stop)
-    : pslg_(pslg), segments_(with_hull(pslg, convex_hull, stop)), faces_(pslg.points, segments_, stop) {
+    : pslg_(pslg), segments_(with_hull(pslg, convex_hull, stop)), faces_(pslg.points, segments_, stop), stop_(stop) {
   inside_.assign(faces_.count(), 1);
   inside_[PlanarFaces::exterior()] = 0;
   for (const Point& hole : pslg.holes) {
@@ -86,6 +86,15 @@ std::vector<Index> Domain::places_of_faces() const {
   }
   for (Index face = 0; face < place.size(); ++face) place[face] = root(place, face);
   return place;
+}
+
+const StraightPaths& Domain::straight_paths() const {
+  std::call_once(straight_paths_wanted_, [&] {
+    std::vector<bool> counts(segments_.size());
+    for (std::size_t s = 0; s < counts.size(); ++s) counts[s] = has(static_cast<Index>(s));
+    straight_paths_.emplace(pslg_.points, segments_, counts, stop_);
+  });
+  return *straight_paths_;
 }
 
 bool Domain::has_point(Index point) const {

@@ -3,6 +3,8 @@
 // edges that are not input segments ("hull pieces") are first appended to the segments.
 #pragma once
 
+#include <mutex>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -11,13 +13,14 @@
 #include "../arithmetic/units.hpp"
 #include "../tolerances.hpp"
 #include "planar_faces.hpp"
+#include "straight_paths.hpp"
 
 namespace pardel::checker {
 
 class Domain {
  public:
-  /// Preconditions: segment ids are in range, coordinates are finite, `pslg` outlives this object. O(n log n) time on
-  /// typical input.
+  /// Preconditions: segment ids are in range, coordinates are finite, `pslg` and `stop` outlive this object. O(n log n)
+  /// time on typical input.
   Domain(const Pslg& pslg, bool convex_hull, StopSignal* stop = nullptr);
   Domain(const Domain&) = delete;
   Domain& operator=(const Domain&) = delete;
@@ -39,6 +42,8 @@ class Domain {
   [[nodiscard]] bool has_point(Index point) const;
 
   [[nodiscard]] const PlanarFaces& faces() const { return faces_; }
+  /// The straight paths of the segments that are part of the mesh. Computed when first called. Thread-safe.
+  [[nodiscard]] const StraightPaths& straight_paths() const;
   /// The regions whose seeds lie in this face, as pairs (face, region). There is more than one only in an invalid Pslg.
   [[nodiscard]] std::span<const std::pair<Index, Index>> regions_in(Index face) const;
 
@@ -58,6 +63,9 @@ class Domain {
   PlanarFaces faces_;
   std::vector<char> inside_;                        ///< per face
   std::vector<std::pair<Index, Index>> region_of_;  ///< (face, region), sorted
+  StopSignal* stop_;
+  mutable std::once_flag straight_paths_wanted_;
+  mutable std::optional<StraightPaths> straight_paths_;
 };
 
 }  // namespace pardel::checker

@@ -61,31 +61,62 @@ class Justification {
     return no_index;
   }
 
-  /// The cause if the edge opposite corner k joins two vertices of one shell, and the angle is large enough.
+  /// The cause if the edge opposite corner k joins two vertices of one shell, and the angle is large enough. Straight
+  /// paths of segments count as segments, but are needed for few domains.
   [[nodiscard]] std::optional<Justified> across(int k) const {
-    const Index p = triangle_.v[next(k)], q = triangle_.v[previous(k)];
-    const Index of_p = chains_.segment_of[p], of_q = chains_.segment_of[q];
-    if (of_p != no_index && of_q != no_index) return shell(k, p, of_p, q, of_q, shell_cosine);
-    // One of them can be the end of a segment in a narrow wedge.
-    const Index end = of_p == no_index ? p : q, inside = of_p == no_index ? of_q : of_p;
-    const Index input = inputs_.input(end);
-    if (inside == no_index || input == no_index) return std::nullopt;
-    for (const Index s : domain_.faces().incident(input))
-      if (auto cause = shell(k, end, s, of_p == no_index ? q : p, inside, narrow_cosine)) return cause;
+    auto cause = across(
+        k, [&](Index vertex) { return segment_around(vertex); }, [&](Index s) { return segment(s); });
+    if (cause) return cause;
+    const StraightPaths& paths = domain_.straight_paths();
+    return across(
+        k, [&](Index vertex) { return path_around(paths, vertex); }, [&](Index s) { return paths.of(s); });
+  }
+
+  [[nodiscard]] const Segment& segment(Index s) const { return domain_.segments()[s]; }
+
+  /// The segment of the domain in whose interior a vertex lies.
+  [[nodiscard]] std::optional<Segment> segment_around(Index vertex) const {
+    const Index s = chains_.segment_of[vertex];
+    if (s == no_index || !domain_.has(s)) return std::nullopt;
+    return segment(s);
+  }
+  /// The straight path in whose interior a vertex lies.
+  [[nodiscard]] std::optional<Segment> path_around(const StraightPaths& paths, Index vertex) const {
+    const Index s = chains_.segment_of[vertex], input = inputs_.input(vertex);
+    if (s != no_index && domain_.has(s)) return paths.of(s);
+    if (input != no_index) return paths.around(input);
     return std::nullopt;
   }
 
-  /// The cause of the angle at corner k if the segments s of vertex p and r of vertex q meet at an angle with a larger
-  /// cosine than `least`, if p and q have the same distance from their common end, and if the angle is large enough.
-  [[nodiscard]] std::optional<Justified> shell(int k, Index p, Index s, Index q, Index r, double least) const {
-    const Segment& first = domain_.segments()[s];
-    const Segment& second = domain_.segments()[r];
-    if (s == r || !domain_.has(s) || !domain_.has(r)) return std::nullopt;
+  /// The same with the segments that `around(vertex)` and `of(segment)` return.
+  template <class Around, class Of>
+  [[nodiscard]] std::optional<Justified> across(int k, const Around& around, const Of& of) const {
+    const Index p = triangle_.v[next(k)], q = triangle_.v[previous(k)];
+    const std::optional<Segment> of_p = around(p), of_q = around(q);
+    if (of_p && of_q) return shell(k, p, *of_p, q, *of_q, shell_cosine);
+    // One of them can be the end of a segment in a narrow wedge.
+    const Index end = of_p ? q : p, beside = of_p ? p : q;
+    const std::optional<Segment>& inside = of_p ? of_p : of_q;
+    const Index input = inputs_.input(end);
+    if (!inside || input == no_index) return std::nullopt;
+    for (const Index s : domain_.faces().incident(input)) {
+      if (!domain_.has(s)) continue;
+      if (auto cause = shell(k, end, of(s), beside, *inside, narrow_cosine)) return cause;
+    }
+    return std::nullopt;
+  }
+
+  /// The cause of the angle at corner k if the segments of the vertices p and q meet at an angle with a larger cosine
+  /// than `least`, if p and q have the same distance from their common end, and if the angle is large enough.
+  [[nodiscard]] std::optional<Justified> shell(int k, Index p, const Segment& first, Index q, const Segment& second,
+                                               double least) const {
+    if (first == second) return std::nullopt;
     for (const Index apex : {first.a, first.b}) {
       if (apex != second.a && apex != second.b) continue;
       if (inputs_.vertex(apex) == p || inputs_.vertex(apex) == q) continue;
       const Point centre = subject_.pslg.points[apex];
-      const Point far_s = far_end(s, apex), far_r = far_end(r, apex);
+      const Point far_s = subject_.pslg.points[other_end(first, apex)];
+      const Point far_r = subject_.pslg.points[other_end(second, apex)];
       if (!exactly::cosine_exceeds(centre, far_s, far_r, least)) continue;
       const Point at_p = subject_.mesh.points[p], at_q = subject_.mesh.points[q];
       if (exactly::distances_differ(centre, at_p, at_q, shell_tolerance, shell_units * unit_at(centre, at_p, at_q)))
