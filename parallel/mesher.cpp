@@ -14,6 +14,7 @@
 #include "conversion/import_mesh.hpp"
 #include "conversion/locate_regions.hpp"
 #include "criteria/criteria.hpp"
+#include "criteria/exact_goal.hpp"
 #include "diagnosis/find_gaps.hpp"
 #include "filling/refine_domain.hpp"
 #include "filling/refine_filled.hpp"
@@ -25,7 +26,7 @@
 #include "interpolation/steep_edges.hpp"
 #include "planning/run_plan.hpp"
 #include "planning/supervised.hpp"
-#include "refinement/exemptions.hpp"
+#include "refinement/goal_met.hpp"
 #include "scheduling/limits.hpp"
 #include "scheduling/progress_monitor.hpp"
 
@@ -182,14 +183,6 @@ Status check_caps(const Mesh& coarse, std::span<const double> max_areas) {
   return Done{};
 }
 
-/// The mesh of a domain that meets the goal already.
-Mesh unchanged(DomainTriangulation domain, const Criteria& criteria, InputData input, const Options& options,
-               ProgressMonitor& progress, Report& report) {
-  const Threads& threads = progress.threads();
-  report.exempt = exemptions(domain.triangulation, domain.segments, criteria, options, false, threads);
-  return to_mesh(std::move(domain), std::move(input), threads);
-}
-
 Result<Meshed> refine_mesh(const Mesh& coarse, std::span<const double> max_areas, const Goal& goal,
                            const Options& options, ProgressMonitor& progress) {
   Stopwatch watch;
@@ -211,10 +204,13 @@ Result<Meshed> refine_mesh(const Mesh& coarse, std::span<const double> max_areas
   result.report.triangulate_seconds = watch.lap();
 
   require_coverage(goal.size, coarse.points.span(), progress.threads());
-  const Criteria criteria(guarded(goal), placement_for(goal, options, true), {}, area_cap);
-  const bool is_met = meets_goal(domain->triangulation, domain->segments, criteria, options, progress.threads());
+  const Goal safe = guarded(goal);
+  const Criteria criteria(safe, placement_for(goal, options, true), {}, area_cap);
+  auto exempt = exemptions_if_met(domain->triangulation, domain->segments, criteria, ExactGoal(safe, area_cap), options,
+                                  progress.threads());
+  if (exempt) result.report.exempt = std::move(*exempt);
   Result<Mesh> mesh =
-      is_met ? unchanged(std::move(*domain), criteria, std::move(input), options, progress, result.report)
+      exempt ? to_mesh(std::move(*domain), std::move(input), progress.threads())
              : refine_domain(std::move(*domain), criteria, std::move(input), options, progress, result.report);
   if (!mesh) return mesh.error();
   result.mesh = std::move(*mesh);

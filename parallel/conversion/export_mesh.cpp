@@ -74,12 +74,14 @@ void export_origins(DomainTriangulation& domain, Mesh& mesh, const Threads& thre
 /// The edges of segments that have a marker in the input, in the order of the segments.
 std::vector<const ConstrainedEdge*> edges_with_own_marker(const DomainTriangulation& domain, const Mesh& mesh) {
   std::vector<bool> has_marker;
-  for (Index s = 0; s < domain.segments.size(); ++s) {
-    const Index input = domain.input_segment[s];
-    if (domain.segments[s].marker == 0 || input == no_index) continue;
+  const auto note = [&](Index input, int marker) {
+    if (marker == 0 || input == no_index) return;
     if (has_marker.size() <= input) has_marker.resize(std::size_t{input} + 1, false);
     has_marker[input] = true;
-  }
+  };
+  for (const ConstrainedEdge& e : domain.subsegments) note(e.segment, e.marker);
+  for (Index s = 0; s < domain.segments.size() && domain.subsegments.empty(); ++s)
+    note(domain.input_segment[s], domain.segments[s].marker);
   std::vector<const ConstrainedEdge*> edges;
   for (const ConstrainedEdge& e : mesh.constrained_edges)
     if (e.segment < has_marker.size() && has_marker[e.segment]) edges.push_back(&e);

@@ -1,7 +1,5 @@
 #include "exemptions.hpp"
 
-#include <optional>
-
 #include "../triangulation/held.hpp"
 #include "assessor.hpp"
 #include "insertion.hpp"
@@ -30,16 +28,12 @@ class Reasons {
     return of(insertion_.try_on_edge(assessor_.point_on(e), e, everywhere_));
   }
 
-  /// The small angle of the input that exempts a triangle. Precondition: the triangle breaks the criteria.
-  [[nodiscard]] std::optional<SmallAngle> small_angle_of(TriangleId id) {
-    if (assessor_.non_delaunay_side(id) < 3 || assessor_.too_large(id, hints_)) return {};
-    return small_angle(t_, segments_, criteria_, t_.slots[id], Shape(t_, t_.slots[id]));
-  }
-
   [[nodiscard]] Exemption of_triangle(TriangleId id) {
-    if (const auto small = small_angle_of(id)) return {id, small->reason, small->apex, small->angle_deg};
     const Shape shape(t_, t_.slots[id]);
     const unsigned side = assessor_.non_delaunay_side(id);
+    if (side == 3 && !assessor_.too_large(id, hints_))
+      if (const auto small = small_angle(t_, segments_, criteria_, t_.slots[id], shape))
+        return {id, small->reason, small->apex, small->angle_deg};
     if (budget_reached_) return {id, ExemptReason::budget};
     if (side < 3) return {id, of_edge(EdgeRef(id, side))};
     if (assessor_.below_floor(id, shape)) return {id, ExemptReason::min_edge};
@@ -103,17 +97,6 @@ std::vector<Exemption> exemptions(Triangulation& t, const DomainSegments& segmen
     }
   }
   return result;
-}
-
-bool meets_goal(Triangulation& t, const DomainSegments& segments, const Criteria& criteria, const Options& options,
-                const Threads& threads) {
-  Reasons reasons(t, segments, criteria, options, false);
-  SparseAsk ask(threads.stop);
-  for (TriangleId id = 0; id < t.slots.size(); ++id) {
-    ask();
-    if (reasons.breaks_goal(id) && !reasons.small_angle_of(id)) return false;
-  }
-  return true;
 }
 
 ExemptReason why_not_split(Triangulation& t, const DomainSegments& segments, const Criteria& criteria,

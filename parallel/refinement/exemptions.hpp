@@ -27,11 +27,6 @@ namespace pardel::engine {
                                                 const std::function<bool(TriangleId)>& counts = {},
                                                 std::vector<EdgeRef>* undecided = nullptr);
 
-/// True if small angles of the input exempt all triangles that break the criteria: Report::goal_met() for the list of
-/// exemptions(). Runs on one thread. O(n), less if it is false.
-[[nodiscard]] bool meets_goal(Triangulation& t, const DomainSegments& segments, const Criteria& criteria,
-                              const Options& options, const Threads& threads = {});
-
 /// The reason why a subsegment that is not Delaunay was not split; `precision` if a rank does not hold all that this
 /// depends on.
 [[nodiscard]] ExemptReason why_not_split(Triangulation& t, const DomainSegments& segments, const Criteria& criteria,
