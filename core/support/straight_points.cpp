@@ -123,18 +123,24 @@ class Division {
     return !(dot < 0) || std::abs(doubled_area(p, o, q)) > slack * std::sqrt(squared_distance(p, q));
   }
   void divide_smooth(std::span<const Index> whole) {
-    std::vector<std::span<const Index>> open{whole};
+    // Few paths are divided so often. Those that zigzag just above rounding could be divided point by point.
+    constexpr int most_divisions = 50;
+    struct Part {
+      std::span<const Index> path;
+      int divisions;
+    };
+    std::vector<Part> open{{whole, 0}};
     while (!open.empty()) {
-      const std::span<const Index> path = open.back();
+      const auto [path, divisions] = open.back();
       open.pop_back();
       if (path.size() < 3) continue;
       if (path.front() != path.back() && is_straight_(path)) {
         for (const Index v : path.subspan(1, path.size() - 2)) straight_[v] = true;
         continue;
       }
-      const std::size_t corner = farthest(path);
-      open.push_back(path.subspan(0, corner + 1));
-      open.push_back(path.subspan(corner));
+      const std::size_t corner = divisions < most_divisions ? farthest(path) : path.size() / 2;
+      open.push_back({path.subspan(0, corner + 1), divisions + 1});
+      open.push_back({path.subspan(corner), divisions + 1});
     }
   }
   /// The inner point that is farthest from the line through the ends, or from the common end of a ring.

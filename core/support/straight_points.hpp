@@ -21,7 +21,7 @@ using IsStraight = std::function<bool(std::span<const Index> path)>;
 /// or its caricature", 1973. So no point is straight at which segments turn visibly.
 ///
 /// Segments without length do not count. The order and the directions of the segments do not matter, unless points are
-/// equally far from a line. Time O(n log n) for n segments on typical input. Precondition: segment ids are in range.
+/// equally far from a line. Time O(n log n) for n segments. Precondition: segment ids are in range.
 [[nodiscard]] std::vector<bool> straight_points(std::span<const Point> points, std::span<const Segment> segments,
                                                 const IsStraight& is_straight, StopSignal* stop = nullptr);
 

@@ -7,7 +7,7 @@
 
 #include "../../core/mesh.hpp"
 #include "../concurrency/threads.hpp"
-#include "../triangulation/segment_pieces.hpp"
+#include "../segments/segment_pieces.hpp"
 #include "../triangulation/triangulation.hpp"
 
 namespace pardel::engine {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "../concurrency/threads.hpp"
-#include "segment_pieces.hpp"
+#include "../segments/segment_pieces.hpp"
 #include "triangulation.hpp"
 
 namespace pardel::engine {

@@ -28,6 +28,34 @@ TEST_F(TriangleCommand, a_second_run_refines_the_first) {
   EXPECT_TRUE(exists("a.3.ele"));
 }
 
+/// A wedge of 2.9 degrees in a square.
+constexpr const char* wedge =
+    "7 2 0 0\n1 0 0\n2 4 0\n3 4 4\n4 0 4\n5 1 1\n6 2 1\n7 2 1.05\n"
+    "6 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n5 5 6\n6 5 7\n0\n";
+
+TEST_F(TriangleCommand, a_second_run_with_the_same_goal_changes_nothing_at_small_angles) {
+  for (const char* switches : {"pq30", "pq20D", "pq25a0.1"}) {
+    write("w.poly", wedge);
+    ends_well(switches, "w");
+    ends_well(std::string("rC") + switches, "w.1");
+    EXPECT_EQ(table("w.2.node"), table("w.1.node")) << switches;
+    EXPECT_EQ(table("w.2.ele"), table("w.1.ele")) << switches;
+  }
+  ends_well("rpq33a0.05", "w.2");
+  ends_well("rCpq33a0.05", "w.3");
+  EXPECT_GT(table("w.3.ele").size(), table("w.2.ele").size());
+  EXPECT_EQ(table("w.4.ele"), table("w.3.ele"));
+}
+
+TEST_F(TriangleCommand, mesh_refines_its_own_mesh_with_the_same_goal_to_the_same_mesh_in_every_format) {
+  write("w.poly", wedge);
+  for (const std::string file : {"1.vtu", "1.msh", "1.off", "1.node"}) {
+    EXPECT_EQ(pardel({"mesh", "w.poly", "-o", file, "--min-angle", "30"}).exit_code, 0);
+    EXPECT_EQ(pardel({"mesh", file, "--refine", "-o", "2.vtu", "--min-angle", "30", "--check"}).exit_code, 0) << file;
+    EXPECT_EQ(read("2.vtu"), read("1.vtu")) << file;
+  }
+}
+
 TEST_F(TriangleCommand, an_area_file_caps_the_triangles_of_the_mesh_it_refines) {
   ends_well("p", "a");
   write("a.1.area", "2\n1 0.001\n2 -1\n");

@@ -110,6 +110,61 @@ TEST(RefineMesh, with_a_goal_that_is_met_changes_nothing) {
   }
 }
 
+/// A square of four right triangles. Its angles are 45 degrees, its areas 4 and its edges up to 4.
+Mesh four_right_triangles() {
+  Mesh mesh;
+  for (const Point p : {Point{0, 0}, {4, 0}, {4, 4}, {0, 4}, {2, 2}}) mesh.points.push_back(p);
+  for (const Index i : {0, 1, 2, 3}) mesh.triangles.push_back({{i, (i + 1) % 4, 4}, {}});
+  rebuild_neighbours(mesh.triangles, 5);
+  return mesh;
+}
+
+TEST(RefineMesh, with_a_goal_that_is_met_exactly_changes_nothing) {
+  const auto added = [](const Goal& goal, std::span<const double> caps = {}) {
+    const Result<Meshed> refined = refine(four_right_triangles(), caps, goal);
+    EXPECT_TRUE(refined && refined->report.goal_met());
+    return refined->mesh.points.size() - 5;
+  };
+  const auto below = [](double bound) { return std::nextafter(bound, 0); };
+  EXPECT_EQ(added({.max_area = 4}), 0U);
+  EXPECT_GT(added({.max_area = below(4)}), 0U);
+  EXPECT_EQ(added({.max_edge = 4}), 0U);
+  EXPECT_GT(added({.max_edge = below(4)}), 0U);
+  EXPECT_EQ(added({}, std::array{4.0, 4.0, 5.0, 4.0}), 0U);
+  EXPECT_GT(added({}, std::array{4.0, below(4), 5.0, 4.0}), 0U);
+}
+
+/// The vertex in the middle sees the long side at 152 degrees. Only a bound that a triangle breaks is a reason to
+/// split.
+TEST(RefineMesh, with_a_goal_that_is_met_splits_no_encroached_segment) {
+  Mesh mesh;
+  for (const Point p : {Point{0, 0}, {8, 0}, {8, 4}, {0, 4}, {4, 1}}) mesh.points.push_back(p);
+  for (const Index i : {0, 1, 2, 3}) mesh.triangles.push_back({{i, (i + 1) % 4, 4}, {}});
+  rebuild_neighbours(mesh.triangles, 5);
+  for (const bool is_met : {true, false}) {
+    const Result<Meshed> refined = refine(mesh, {}, {.min_angle_deg = 14, .max_area = is_met ? 12.0 : 11.0});
+    ASSERT_TRUE(refined);
+    EXPECT_EQ(refined->mesh.points.size() == 5, is_met);
+  }
+}
+
+TEST(RefineMesh, of_a_mesh_without_origins_changes_nothing_if_the_goal_is_met) {
+  for (const std::string& name : domains::even_names()) {
+    SCOPED_TRACE(name);
+    const Goal goal{.min_angle_deg = 28, .region_caps = false};
+    const Result<Meshed> first = mesh(*domains::generate(name, 0, 1), goal);
+    ASSERT_TRUE(first);
+    Mesh nameless = first->mesh;
+    nameless.origin.clear();
+    for (ConstrainedEdge& e : nameless.constrained_edges) e.segment = no_index;
+    const Result<Meshed> second = refine(nameless, {}, goal);
+    ASSERT_TRUE(second) << second.error().message;
+    EXPECT_EQ(second->mesh.points, first->mesh.points);
+    EXPECT_EQ(digest(second->mesh), digest(first->mesh));
+    EXPECT_EQ(second->report.exempt.size(), first->report.exempt.size());
+  }
+}
+
 TEST(RefineMesh, of_a_triangulation_gives_a_mesh_of_the_domain) {
   for (const std::string& name : domains::even_names()) {
     SCOPED_TRACE(name);

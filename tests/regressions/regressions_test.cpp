@@ -1,8 +1,9 @@
 // Each file of this folder is meshed at several angle bounds. The independent checker certifies each mesh; exempt
 // triangles occur only at small input angles. Without bounds, no point is inserted. Each file of repair/ is repaired;
 // new points lie on their segments up to rounding. Each file of written/ is meshed, and the mesh is written and read;
-// the checker's verdict stays the same. Each file of wrong_meshes/ has a mesh that the checker refuses, at all scales.
-// Each file of bounds/ and of meshes/ has a test of its own.
+// the checker's verdict stays the same. Each file of refined/ is meshed, written, read, and refined. Each file of
+// wrong_meshes/ has a mesh that the checker refuses, at all scales. Each file of bounds/ and of meshes/ has a test of
+// its own.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include <set>
 #include <string>
 
+#include "../../core/digest.hpp"
 #include "../../core/formats.hpp"
 #include "../../parallel/distributed.hpp"
 #include "../../parallel/mesher.hpp"
@@ -385,6 +387,43 @@ TEST_P(WrittenRegression, has_the_same_verdict_in_memory_and_in_every_format) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, WrittenRegression, ::testing::ValuesIn(inputs(PARDEL_REGRESSIONS "/written")),
+                         test_name);
+
+class RefinedRegression : public ::testing::TestWithParam<fs::path> {};
+
+/// The mesh, written and read again, and refined; with the verdict of the checker on it.
+Mesh refined_from_file(const Pslg& pslg, const Mesh& mesh, const Goal& goal, testing::WrittenAs format) {
+  const TemporaryFolder folder;
+  EXPECT_TRUE(write_mesh(mesh, pslg, folder / format.file, format.msh));
+  const Result<Mesh> read = read_mesh(folder / format.file);
+  EXPECT_TRUE(read && digest(*read) == digest(mesh));
+  Result<Meshed> refined = refine(*read, {}, goal);
+  EXPECT_TRUE(refined && refined->report.goal_met());
+  refined->mesh.origin.clear();
+  EXPECT_TRUE(check(pslg, refined->mesh, goal, {.foreign = true}).valid);
+  return std::move(refined->mesh);
+}
+
+TEST_P(RefinedRegression, does_not_change_if_its_mesh_meets_the_goal) {
+  const Result<Pslg> pslg = read_pslg(GetParam());
+  ASSERT_TRUE(pslg) << pslg.error().message;
+  const Goal goals[] = {{.min_angle_deg = 30},
+                        {.min_angle_deg = 20, .conforming = true},
+                        {.min_angle_deg = 25, .max_area = 0.1},
+                        {.min_angle_deg = 33, .max_edge = 0.2}};
+  for (const testing::WrittenAs& format : testing::formats_with_constrained_edges()) {
+    Mesh mesh = std::move(pardel::mesh(*pslg, goals[0]).value().mesh);
+    for (const Goal& goal : goals) {
+      SCOPED_TRACE(std::string(format.file) + " at " + std::to_string(goal.min_angle_deg));
+      const Mesh own = std::move(pardel::mesh(*pslg, goal).value().mesh);
+      EXPECT_EQ(digest(refined_from_file(*pslg, own, goal, format)), digest(own));
+      mesh = refined_from_file(*pslg, mesh, goal, format);
+      EXPECT_EQ(digest(refined_from_file(*pslg, mesh, goal, format)), digest(mesh));
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, RefinedRegression, ::testing::ValuesIn(inputs(PARDEL_REGRESSIONS "/refined")),
                          test_name);
 
 }  // namespace

@@ -51,12 +51,37 @@ TEST(ImportMesh, followed_by_export_gives_the_same_mesh) {
         << e.a << '-' << e.b;
 }
 
-TEST(ImportMesh, without_origins_makes_each_subsegment_a_segment) {
+TEST(ImportMesh, finds_the_segments_without_origins_too) {
   Mesh mesh = refined_square();
   mesh.origin.clear();
-  const Result<DomainTriangulation> domain = import_mesh(mesh);
+  Result<DomainTriangulation> domain = import_mesh(mesh);
   ASSERT_TRUE(domain);
-  EXPECT_EQ(domain->segments.size(), mesh.constrained_edges.size());
+  EXPECT_EQ(domain->segments.size(), 5U);
+  for (const Index origin : exported(std::move(domain).value(), mesh).origin) EXPECT_EQ(origin, input_vertex);
+}
+
+/// Two sides of a square are in one segment for the refinement, and remain two of different names and markers.
+TEST(ImportMesh, keeps_the_names_and_markers_of_subsegments_that_are_joined) {
+  Pslg pslg = testing::square(4);
+  pslg.points.push_back({2, 0});
+  pslg.segments[0] = {0, 4, 5};
+  pslg.segments.push_back({4, 1, 6});
+  const Mesh coarse = std::move(triangulate(pslg).value().mesh);
+  const Mesh fine = std::move(refine(coarse, {}, {.max_area = 0.1}).value().mesh);
+  std::size_t pieces = 0;
+  for (const ConstrainedEdge& e : fine.constrained_edges) {
+    const double middle = 0.5 * (fine.points[e.a].x + fine.points[e.b].x);
+    if (fine.points[e.a].y != 0 || fine.points[e.b].y != 0) continue;
+    ++pieces;
+    EXPECT_EQ(e.segment, middle < 2 ? 0U : 4U);
+    EXPECT_EQ(e.marker, middle < 2 ? 5 : 6);
+  }
+  EXPECT_GT(pieces, 5U);
+  for (Index v = 5; v < fine.points.size(); ++v) {
+    if (fine.points[v].y != 0) continue;
+    EXPECT_EQ(fine.origin[v], origin_on_segment(fine.points[v].x < 2 ? 0 : 4));
+  }
+  EXPECT_EQ(fine.origin[4], input_vertex);
 }
 
 TEST(ImportMesh, of_a_constrained_edge_that_is_listed_twice_takes_the_last) {
@@ -68,9 +93,7 @@ TEST(ImportMesh, of_a_constrained_edge_that_is_listed_twice_takes_the_last) {
   mesh.origin.clear();
   const Result<DomainTriangulation> domain = import_mesh(mesh);
   ASSERT_TRUE(domain);
-  int marked = 0;
-  for (Index s = 0; s < domain->segments.size(); ++s) marked += domain->segments[s].marker == 77 ? 1 : 0;
-  EXPECT_EQ(marked, 1);
+  EXPECT_EQ(std::ranges::count(domain->subsegments, 77, &ConstrainedEdge::marker), 1);
 }
 
 TEST(ImportMesh, rejects_a_mesh_that_is_not_a_manifold_of_positive_triangles) {

@@ -6,7 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "triangulation.hpp"
+#include "../../core/array.hpp"
+#include "../../core/pslg.hpp"
 
 namespace pardel::engine {
 
@@ -14,13 +15,13 @@ namespace pardel::engine {
 class SegmentPieces {
  public:
   struct Piece {
-    VertexId a, b;
+    Index a, b;    ///< the vertices at its ends
     Index number;  ///< the index of the subsegment, as given to add()
   };
 
   /// Adds the pieces of the next segment: `path` is its vertices from end to end, `numbers` the subsegments between
   /// them.
-  void add(std::span<const VertexId> path, std::span<const Index> numbers) {
+  void add(std::span<const Index> path, std::span<const Index> numbers) {
     path_.insert(path_.end(), path.begin(), path.end());
     number_.insert(number_.end(), numbers.begin(), numbers.end());
     number_.push_back(no_index);  // so that both lists have the same indices
@@ -36,7 +37,7 @@ class SegmentPieces {
     const bool by_x = std::abs(b.x - a.x) >= std::abs(b.y - a.y);
     const auto place = [&](Point q) { return by_x ? q.x : q.y; };
     const bool ascends = place(a) < place(b);
-    const auto after = std::partition_point(path.begin() + 1, path.end() - 1, [&](VertexId v) {
+    const auto after = std::partition_point(path.begin() + 1, path.end() - 1, [&](Index v) {
       return ascends ? place(points[v]) <= place(p) : place(points[v]) >= place(p);
     });
     const auto i = static_cast<std::size_t>(after - path.begin());
@@ -45,7 +46,7 @@ class SegmentPieces {
 
  private:
   std::vector<std::size_t> first_{0};
-  std::vector<VertexId> path_;
+  std::vector<Index> path_;
   std::vector<Index> number_;
 };
 
