@@ -1,8 +1,8 @@
 // Readers and writers of files: Triangle's formats, VTU, Gmsh's MSH, OFF, SVG. Numbers are written with enough digits
 // to read back the same double. A writer never leaves a partial file under the final name: it writes to a new
-// file `NAME.PROCESS-NUMBER.partial` in the same folder and renames this file on success. A byte order mark at the
-// beginning of a file is skipped. A device or a pipe is written directly. Every error message
-// names the file; for text files it also names the line. These functions are in the library pardel::formats.
+// file without a name, or with another one, and gives it the name on success (docs/formats.md). A byte order mark at
+// the beginning of a file is skipped. A device or a pipe is written directly. Every error message names the file; for
+// text files it also names the line. These functions are in the library pardel::formats.
 #pragma once
 
 #include <cstdint>
@@ -40,8 +40,8 @@ namespace pardel {
 /// ranks return the error of the first rank that failed, with its line: that of read_pslg().
 [[nodiscard]] Result<PartOfPslg> read_part_of_pslg(const std::filesystem::path& file, Ranks& ranks);
 
-/// base: the number of the first vertex in Triangle's files, 0 or 1. The file of a domain without points is read with the
-/// points of the .node of the same name.
+/// base: the number of the first vertex in Triangle's files, 0 or 1. The file of a domain without points is read with
+/// the points of the .node of the same name.
 [[nodiscard]] Status write_poly(const Pslg& pslg, const std::filesystem::path& file, int base = 1);
 
 /// The formats of meshes: single files, and Triangle's .node, .ele and .poly.

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "../core/support/agree.hpp"
+#include "../core/support/output_file.hpp"
 
 namespace pardel::mpi {
 
@@ -48,6 +49,7 @@ Job::~Job() {
 Status Job::agree(const Status& here) { return pardel::agree(here, ranks_); }
 
 void Job::abort(const Error& error) {
+  (void)remove_partial_files();  // no destructor runs
   // If all ranks have the same error, the first one ends the others before they print it, too.
   if (!is_first()) std::this_thread::sleep_for(std::chrono::milliseconds(500));
   const cli::ExitCode code =

@@ -14,6 +14,7 @@
 #include "../core/support/collective.hpp"
 #include "../core/support/kept_file.hpp"
 #include "../core/support/output_file.hpp"
+#include "../core/support/this_machine.hpp"
 
 namespace pardel::mpi {
 namespace {
@@ -86,19 +87,28 @@ class KeptIndex {
   std::optional<KeptFile> kept_;
 };
 
-/// Collective. An error if a rank does not see the partial file that the first rank has made for an output.
+/// Collective. True if all ranks run on one machine, where the name of this folder stands for the same one.
+bool is_one_folder(const fs::path& folder, Job& job) {
+  const std::string here = identity_of(folder.empty() ? "." : folder);
+  const bool is_that_of_first = text_from_first(here, job.ranks()) == here && !here.empty();
+  return job.agree(is_that_of_first ? Status(Done{}) : Error{ErrorKind::io, "another folder"}).ok();
+}
+
+/// Collective. An error if a rank does not see the files that the first rank makes for an output. On several machines
+/// the first rank makes one for a moment.
 Status check_common_folder(const fs::path& output, Job& job) {
+  const fs::path file = output.extension() == ".msh" ? msh_of_piece(output, 1) : output;
+  if (is_one_folder(behind_links(file).parent_path(), job)) return Done{};
   std::optional<OutputFile> probe;
   std::string made;
-  const bool is_msh = output.extension() == ".msh";
-  if (job.is_first()) made = probe.emplace(is_msh ? msh_of_piece(output, 1) : output).written().string();
-  const fs::path file = text_from_first(made, job.ranks());
+  if (job.is_first()) made = probe.emplace(file, OutputFile::Aside::named).written().string();
+  const fs::path seen = text_from_first(made, job.ranks());
   Status here = Done{};
-  if (std::error_code ignored; !file.empty() && !fs::exists(file, ignored))
+  if (std::error_code ignored; !seen.empty() && !fs::exists(seen, ignored))
     here =
         Error{ErrorKind::io, fmt::format("{}: rank 0 has made the file {}, but this rank does not see it; the folder "
                                          "of the output must be the same on all machines",
-                                         output.string(), file.string())};
+                                         output.string(), seen.string())};
   if (job.is_first() && !probe->ok()) here = probe->close();
   return job.agree(here);
 }

@@ -200,12 +200,17 @@ VtuPieces::VtuPieces() : files_(std::make_unique<Files>()) {}
 VtuPieces::~VtuPieces() = default;
 
 Status VtuPieces::add(const Mesh& mesh, std::span<const std::uint64_t> numbers, const std::filesystem::path& file) {
-  OutputFile& out = files_->all.emplace_back(file);
+  // A file without a name takes a descriptor until commit(), and a process has few (usually 1,024).
+  constexpr std::size_t most_unnamed = 200;
+  using enum OutputFile::Aside;
+  OutputFile& out = files_->all.emplace_back(file, files_->all.size() < most_unnamed ? unnamed : named);
   write(mesh, numbers, out);
   return out.close();
 }
 
-Status VtuPieces::commit(const std::function<Status(const Status& placed)>& agree) { return commit_all(files_->all, agree); }
+Status VtuPieces::commit(const std::function<Status(const Status& placed)>& agree) {
+  return commit_all(files_->all, agree);
+}
 
 Status write_pvtu(const PiecesOfMesh& pieces, const std::filesystem::path& file) {
   Bytes text;

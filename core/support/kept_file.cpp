@@ -24,9 +24,10 @@ KeptFile::~KeptFile() {
   const std::scoped_lock lock(partial.mutex);
   std::error_code failure;
   if (is_changed_ && (!existed_ || !kept_.empty())) {
-    // A rename may just have failed, so the name is linked anew.
+    // Why the new file is not wanted may be that a file could not be linked, or renamed. So both ways are tried.
     fs::remove(file_, failure);
     if (existed_) fs::create_hard_link(kept_, file_, failure);
+    if (existed_ && failure) fs::rename(kept_, file_, failure);
   }
   if (kept_.empty()) return;
   if (failure)

@@ -1,11 +1,15 @@
 #include "output_file.hpp"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include "kept_file.hpp"
+#include "leftover_files.hpp"
 #include "open_file.hpp"
 #include "partial_files.hpp"
 
@@ -32,7 +36,16 @@ fs::path behind_links(const fs::path& file) {
   return reached;
 }
 
-OutputFile::OutputFile(const fs::path& file)
+namespace {
+
+/// A name of a file that this process, or another one on this machine, has open. It can be opened, and linked.
+std::string name_in_proc(const std::string& process, int descriptor) {
+  return "/proc/" + process + "/fd/" + std::to_string(descriptor);
+}
+
+}  // namespace
+
+OutputFile::OutputFile(const fs::path& file, Aside aside)
     : name_(file == "-" ? "standard output" : file), target_(file), written_(file) {
   if (const auto descriptor = descriptor_of(file)) {
     // A duplicate has the same position. So text that is printed later follows, also if the output is a regular file.
@@ -41,18 +54,22 @@ OutputFile::OutputFile(const fs::path& file)
   } else if (is_written_directly(file)) {
     stream_ = std::fopen(file.c_str(), "wb");
   } else {
-    write_aside();
+    write_aside(aside);
   }
   if (stream_ == nullptr) fail("cannot be opened for writing", errno);
 }
 
-void OutputFile::write_aside() {
+void OutputFile::write_aside(Aside aside) {
+  written_.clear();
   target_ = behind_links(target_);
   if (std::error_code ignored; fs::is_symlink(target_, ignored)) {
-    written_.clear();
     errno = ELOOP;
     return;
   }
+  // commit() needs a partial name. So one that is too long is an error at once.
+  constexpr std::uint64_t long_number = 1'000'000;
+  if (access(partial_name(target_, long_number).c_str(), F_OK) != 0 && errno == ENAMETOOLONG) return;
+  if (aside == Aside::unnamed && open_unnamed()) return;
   // "x": the file must not exist yet. So a file of another process, or of the user, is never replaced or removed.
   written_ = PartialFiles::of_process().make(target_, [&](const fs::path& name) {
     stream_ = std::fopen(name.c_str(), "wbx");
@@ -60,9 +77,32 @@ void OutputFile::write_aside() {
   });
 }
 
+/// False if the file system has no such files. Other failures are in errno, and there is no stream.
+bool OutputFile::open_unnamed() {
+  // Without /proc the file could not get a name.
+  if (access("/proc/self/fd", F_OK) != 0) return false;
+  const fs::path folder = target_.parent_path();
+  constexpr mode_t as_umask_allows = 0666;
+  const int descriptor = open(folder.empty() ? "." : folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, as_umask_allows);
+  if (descriptor < 0) return errno != EOPNOTSUPP && errno != EISDIR && errno != EINVAL;
+  stream_ = fdopen(descriptor, "wb");
+  is_unnamed_ = stream_ != nullptr;
+  if (is_unnamed_) return true;
+  const int failure = errno;
+  ::close(descriptor);
+  errno = failure;
+  return true;
+}
+
 OutputFile::~OutputFile() {
   if (stream_ != nullptr) std::fclose(stream_);
+  if (descriptor_ >= 0) ::close(descriptor_);
   if (!written_.empty() && written_ != target_) PartialFiles::of_process().remove(written_);
+}
+
+fs::path OutputFile::written() const {
+  if (!is_unnamed_ || stream_ == nullptr) return written_;
+  return name_in_proc(std::to_string(getpid()), fileno(stream_));
 }
 
 void OutputFile::fail(const char* what, int error_number) {
@@ -85,6 +125,10 @@ void OutputFile::write_to_disk() {
 
 Status OutputFile::close() {
   if (stream_ != nullptr && ok()) write_to_disk();
+  if (stream_ != nullptr && is_unnamed_) {
+    descriptor_ = fcntl(fileno(stream_), F_DUPFD_CLOEXEC, 0);
+    if (descriptor_ < 0) fail("cannot be closed", errno);
+  }
   if (stream_ != nullptr && std::fclose(stream_) != 0) fail("cannot be written", errno);
   stream_ = nullptr;
   if (!ok()) return Error{ErrorKind::io, failure_};
@@ -93,21 +137,46 @@ Status OutputFile::close() {
 
 Status OutputFile::commit() {
   if (Status closed = close(); !closed.ok()) return closed;
-  return put_in_place();
+  const bool was_aside = written_ != target_;
+  Status placed = put_in_place();
+  if (placed.ok() && was_aside) remove_leftovers({&target_, 1});
+  return placed;
+}
+
+/// Gives a closed file without a name its final name if no file has this name, otherwise a partial one. Returns 0 or
+/// an error number.
+int OutputFile::give_name() {
+  const std::string name = name_in_proc("self", descriptor_);
+  const auto link_to = [&](const fs::path& file) {
+    return linkat(AT_FDCWD, name.c_str(), AT_FDCWD, file.c_str(), AT_SYMLINK_FOLLOW) == 0 ? 0 : errno;
+  };
+  const int failure = link_to(target_);
+  if (failure == 0) {
+    written_ = target_;
+  } else if (failure == EEXIST) {
+    written_ = PartialFiles::of_process().make(target_, link_to);
+    if (written_.empty()) return errno;
+  } else {
+    return failure;
+  }
+  is_unnamed_ = false;
+  ::close(std::exchange(descriptor_, -1));
+  return 0;
 }
 
 /// Precondition: the file is closed.
 Status OutputFile::put_in_place() {
-  if (written_ == target_) return Done{};
   const std::scoped_lock lock(PartialFiles::of_process().mutex);
   std::error_code error;
-  fs::rename(written_, target_, error);
+  if (is_unnamed_) error.assign(give_name(), std::generic_category());
+  if (!error && written_ == target_) return Done{};
+  if (!error) fs::rename(written_, target_, error);
   if (error) {
     fail("cannot be put in place", error.value());
     return Error{ErrorKind::io, failure_};
   }
   PartialFiles::of_process().forget(written_);
-  written_.clear();
+  written_ = target_;
   return Done{};
 }
 
@@ -116,7 +185,8 @@ class Replacement {
  public:
   explicit Replacement(std::deque<OutputFile>& files) : files_(files) {}
 
-  /// Renames the files. If this fails, all that was replaced is put back before another thread may end the process.
+  /// Gives the files their names. If this fails, all that was replaced is put back before another thread may end the
+  /// process.
   Status place() {
     for (OutputFile& file : files_)
       if (Status closed = file.close(); !closed.ok()) return closed;
@@ -127,12 +197,14 @@ class Replacement {
   }
   void forget_old() {
     for (KeptFile& kept : kept_) kept.forget();
+    remove_leftovers(placed_);
   }
 
  private:
   Status place_all() {
     for (OutputFile& file : files_) {
       if (file.written_ == file.target_) continue;
+      placed_.push_back(file.target_);
       KeptFile& old = kept_.emplace_back(file.target_);
       if (Status placed = file.put_in_place(); !placed.ok()) return placed;
       old.changed();
@@ -141,6 +213,7 @@ class Replacement {
   }
 
   std::deque<OutputFile>& files_;
+  std::vector<fs::path> placed_;
   std::deque<KeptFile> kept_;
 };
 

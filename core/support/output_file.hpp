@@ -1,6 +1,7 @@
 // OutputFile: a file that gets its name only when it is complete.
 #pragma once
 
+#include <cstdint>
 #include <cstdio>
 #include <deque>
 #include <filesystem>
@@ -21,37 +22,55 @@ namespace pardel {
 /// lead in a circle: one of them.
 [[nodiscard]] std::filesystem::path behind_links(const std::filesystem::path& file);
 
-/// Writes to a new file `NAME.PROCESS-NUMBER.partial` in the folder of NAME. commit() renames that file to NAME;
-/// without commit() the destructor removes it. A file for which is_written_directly() is true is written directly. A
-/// symbolic link is followed: the file that it leads to is made or replaced. A file that replaces another one is on the
-/// disk before (fsync). The object stores the first failure, and close() reports it.
+/// Writes to a new file in the folder of NAME. commit() gives it the name NAME; without commit() it vanishes. The new
+/// file has no name before (Linux: O_TMPFILE), so whatever ends the process, no file is left. If a file NAME exists,
+/// the new one is called `NAME.SPACE-PROCESS-NUMBER.partial` for a moment and then replaces it: Linux replaces by
+/// renaming only. A process that is killed in this moment leaves this name, and the next one that commits NAME removes
+/// it (remove_leftovers). Where the file system has no files without names, the new file has such a name from the
+/// beginning; the destructor removes it.
+/// A file for which is_written_directly() is true is written directly. A symbolic link is followed: the file that it
+/// leads to is made or replaced. A file that replaces another one is on the disk before (fsync). The object stores the
+/// first failure, and close() reports it.
 class OutputFile {
  public:
-  explicit OutputFile(const std::filesystem::path& file);
+  /// How the file is kept before it has its final name.
+  enum class Aside : std::uint8_t {
+    unnamed,  ///< without a name, if possible; then a descriptor stays open until commit()
+    named,    ///< with a name, so that processes on other machines can open it
+  };
+
+  explicit OutputFile(const std::filesystem::path& file, Aside aside = Aside::unnamed);
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
   ~OutputFile();
 
   /// False after a failure. Later writes then do nothing.
   [[nodiscard]] bool ok() const { return failure_.empty(); }
-  /// The file that is written before commit(); empty if it cannot be opened.
-  [[nodiscard]] const std::filesystem::path& written() const { return written_; }
+  /// Precondition: neither close() nor commit() was called.
+  [[nodiscard]] bool is_unnamed() const { return is_unnamed_; }
+  /// The name under which processes of the same user can open the file before close(): if it has no name of its own,
+  /// one in /proc of this machine. Empty if it cannot be opened.
+  [[nodiscard]] std::filesystem::path written() const;
   void write(std::string_view bytes);
   /// Flushes and closes the file. Every failure to write is reported here at the latest, as an `io` error.
   Status close();
-  /// Calls close(), then renames the file to its final name.
+  /// Calls close(), then gives the file its final name.
   Status commit();
 
  private:
   void fail(const char* what, int error_number);
-  void write_aside();
+  void write_aside(Aside aside);
+  [[nodiscard]] bool open_unnamed();
   void write_to_disk();
+  [[nodiscard]] int give_name();
   Status put_in_place();
 
   std::filesystem::path name_;     ///< as given by the caller, for messages
   std::filesystem::path target_;   ///< the file to replace
-  std::filesystem::path written_;  ///< the file being written: the partial file, or target_ itself; empty: none
+  std::filesystem::path written_;  ///< the partial file, or target_ itself; empty: none, or one without a name
   std::FILE* stream_ = nullptr;
+  bool is_unnamed_ = false;  ///< neither written_ nor target_ is a name of the file yet
+  int descriptor_ = -1;      ///< of an unnamed file that is closed, which would vanish without it
   std::string failure_;
 
   friend class Replacement;
@@ -61,9 +80,9 @@ class OutputFile {
 /// error, the files that were there before are put back.
 using FinalAgreement = std::function<Status(const Status& placed)>;
 
-/// Closes all files, then renames them to their final names: all or none. If a file cannot be renamed, or `agree`
-/// returns an error, the files that were there before are put back (KeptFile says when this is not possible). Returns
-/// the error, or the result of `agree`, which is called in any case.
+/// Closes all files, then gives them their final names: all or none. If a file cannot get its name, or
+/// `agree` returns an error, the files that were there before are put back (KeptFile says when this is not possible).
+/// Returns the error, or the result of `agree`, which is called in any case.
 Status commit_all(std::deque<OutputFile>& files, const FinalAgreement& agree = {});
 
 /// Removes the partial files of all OutputFiles that exist. While the caller holds the lock, no partial file is made

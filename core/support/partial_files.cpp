@@ -1,8 +1,6 @@
 #include "partial_files.hpp"
 
-#include <unistd.h>
-
-#include <string>
+#include "leftover_files.hpp"
 
 namespace pardel {
 
@@ -20,10 +18,6 @@ void PartialFiles::remove_all() {
   names_.clear();
 }
 
-fs::path PartialFiles::next_name(const fs::path& file) {
-  fs::path name = file;
-  name += "." + std::to_string(getpid()) + "-" + std::to_string(++made_) + ".partial";
-  return name;
-}
+fs::path PartialFiles::next_name(const fs::path& file) { return partial_name(file, ++made_); }
 
 }  // namespace pardel

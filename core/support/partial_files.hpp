@@ -1,4 +1,4 @@
-// The files of this process that do not have their final names.
+// The files of this process that have names of their own, but not their final ones.
 #pragma once
 
 #include <cerrno>
@@ -18,8 +18,8 @@ class PartialFiles {
 
   std::recursive_mutex mutex;  ///< who holds it while several files are replaced also removes some of them
 
-  /// Calls make(name) for new names `FILE.PROCESS-NUMBER.partial`, until the result is not EEXIST. `make` has to make
-  /// the file and to return 0, or an error number. Puts the name on the list and returns it; empty after an error,
+  /// Calls make(name) for new names (partial_name()), until the result is not EEXIST. `make` has to make the file and
+  /// to return 0, or an error number. Puts the name on the list and returns it; empty after an error,
   /// which is then in errno. Nothing is made if there is no memory for the name.
   template <class Make>
   [[nodiscard]] std::filesystem::path make(const std::filesystem::path& file, const Make& make) {

@@ -9,6 +9,7 @@
 
 #include "agree.hpp"
 #include "collective.hpp"
+#include "this_machine.hpp"
 
 namespace pardel {
 namespace {
@@ -24,15 +25,39 @@ std::string because(const char* what, int error_number) {
 SharedFiles::SharedFiles(std::span<const fs::path> names, Ranks& ranks)
     : ranks_(ranks), names_(names.begin(), names.end()), descriptors_(names.size(), -1) {
   for (std::size_t i = 0; i < names_.size(); ++i) {
-    const bool is_regular = !is_written_directly(names_[i]);
-    if (!is_regular) fail(i, "cannot be written by several processes, because it is not a regular file");
-    std::string partial;
-    if (ranks_.rank() == 0 && is_regular) partial = outputs_.emplace_back(names_[i]).written().string();
-    partial = text_from_first(partial, ranks_);
-    if (partial.empty()) continue;  // the first rank reports why
-    descriptors_[i] = open(partial.c_str(), O_WRONLY | O_CLOEXEC);
-    if (descriptors_[i] < 0) fail(i, because("cannot be opened for writing", errno));
+    if (is_written_directly(names_[i]))
+      fail(i, "cannot be written by several processes, because it is not a regular file");
+    if (!open_unnamed(i)) open_named(i);
   }
+}
+
+/// The name under which the first rank has made the file, or "" if it has not. Elsewhere "".
+std::string SharedFiles::make(std::size_t file, OutputFile::Aside aside) {
+  if (ranks_.rank() != 0 || is_written_directly(names_[file])) return {};
+  return outputs_.emplace_back(names_[file], aside).written().string();
+}
+
+/// Collective. True if all ranks have opened a file without a name. Otherwise there is no file.
+bool SharedFiles::open_unnamed(std::size_t file) {
+  const std::size_t made_before = outputs_.size();
+  const std::string made = make(file, OutputFile::Aside::unnamed);
+  const bool is_unnamed = outputs_.size() > made_before && outputs_.back().is_unnamed();
+  const std::string name = text_from_first(is_unnamed ? made : "", ranks_);
+  // On another machine, or in another container, the name stands for another file or for none.
+  const std::string identity = text_from_first(is_unnamed ? identity_of(made) : "", ranks_);
+  if (!identity.empty() && identity_of(name) == identity) descriptors_[file] = open(name.c_str(), O_WRONLY | O_CLOEXEC);
+  if (sum_of(descriptors_[file] < 0 ? 1 : 0, ranks_) == 0) return true;
+  if (const int descriptor = std::exchange(descriptors_[file], -1); descriptor >= 0) ::close(descriptor);
+  if (outputs_.size() > made_before) outputs_.pop_back();
+  return false;
+}
+
+/// Collective.
+void SharedFiles::open_named(std::size_t file) {
+  const std::string partial = text_from_first(make(file, OutputFile::Aside::named), ranks_);
+  if (partial.empty()) return;  // the first rank reports why
+  descriptors_[file] = open(partial.c_str(), O_WRONLY | O_CLOEXEC);
+  if (descriptors_[file] < 0) fail(file, because("cannot be opened for writing", errno));
 }
 
 SharedFiles::~SharedFiles() {

@@ -3,8 +3,9 @@
 //   PARDEL_FAULT=KIND:N+  that call and all later ones of this kind fail
 //   PARDEL_FAULT=large:B  all calls for at least B bytes of memory of its own fail
 //   PARDEL_CALLS=FILE     when the process ends, the number of calls of the kind is written to FILE
-// Kinds: memory, map, open, read, write, short, sync, close, rename, link, thread. `short` lets fwrite and pwrite write
-// only the first half of their bytes. Calls are counted from the beginning of main() to its end, because a program has
+// Kinds: memory, map, open, unnamed, read, write, short, sync, close, rename, link, thread. `unnamed`: a file without a
+// name (O_TMPFILE) cannot be made, as on file systems that have none. `short` lets fwrite and pwrite write only the
+// first half of their bytes. Calls are counted from the beginning of main() to its end, because a program has
 // no say before and after. Writing to standard error never fails: a test could not see the message.
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -143,10 +144,11 @@ std::FILE* fdopen(int fd, const char* mode) {
 }
 int dup(int fd) { return fails("open", EMFILE) ? -1 : next<decltype(dup)>("dup")(fd); }
 int open(const char* file, int flags, ...) {
-  if (fails("open", EMFILE)) return -1;
+  const bool is_unnamed = (flags & O_TMPFILE) == O_TMPFILE;
+  if (fails("open", EMFILE) || (is_unnamed && fails("unnamed", EOPNOTSUPP))) return -1;
   va_list arguments;
   va_start(arguments, flags);
-  const mode_t mode = (flags & O_CREAT) != 0 ? va_arg(arguments, mode_t) : 0;
+  const mode_t mode = (flags & O_CREAT) != 0 || is_unnamed ? va_arg(arguments, mode_t) : 0;
   va_end(arguments);
   return next<decltype(open)>("open")(file, flags, mode);
 }
@@ -196,6 +198,11 @@ int rename(const char* from, const char* to) {
 
 int link(const char* from, const char* to) {
   return fails("link", EPERM) ? -1 : next<decltype(link)>("link")(from, to);
+}
+
+/// Gives a file without a name its name.
+int linkat(int from_folder, const char* from, int to_folder, const char* to, int flags) {
+  return fails("link", EPERM) ? -1 : next<decltype(linkat)>("linkat")(from_folder, from, to_folder, to, flags);
 }
 
 int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*work)(void*), void* argument) {

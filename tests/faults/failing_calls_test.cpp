@@ -146,8 +146,8 @@ TEST_P(FailingCalls, end_the_command_or_change_nothing) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, FailingCalls,
-                         ::testing::Values("memory", "map", "open", "read", "write", "short", "sync", "close", "rename",
-                                           "link", "thread"),
+                         ::testing::Values("memory", "map", "open", "unnamed", "read", "write", "short", "sync",
+                                           "close", "rename", "link", "thread"),
                          [](const auto& parameter) { return parameter.param; });
 
 }  // namespace

@@ -122,6 +122,27 @@ TEST_F(MpiFaults, a_rank_that_gets_a_signal_at_a_random_moment_ends_the_job) {
       if (HasFailure()) return;
     }
   EXPECT_GT(ended, 0U) << "all jobs ended before the signal";
+  // A rank that is killed while files replace others can leave partial names. The next job removes them.
+  ASSERT_EQ(job({}, command).exit_code, 0);
+  expect_no_other_files();
+}
+
+/// The common files have no names before they are complete, unless a rank cannot open them then. The rank 0 makes them.
+TEST_F(MpiFaults, ranks_write_common_files_also_where_files_need_names) {
+  if (testing::sanitized) GTEST_SKIP() << "a sanitizer replaces the same functions";
+  const std::vector<std::string> command = {"mesh", "pipe.poly", "-o", "out.node", "--max-area", "1e-4"};
+  ASSERT_EQ(job({}, command).exit_code, 0);
+  const Files common = {"out.node", "out.ele", "out.poly"};
+  const Files all = files();
+  std::map<std::string, std::string> complete;
+  for (const std::string& file : common) complete[file] = read(file);
+  for (const std::string rank : {"0", "1"}) {
+    for (const std::string& file : common) write(file, earlier);
+    const Ran ran = job({PARDEL_FAULTY_RANK, rank, "call", rank == "0" ? "unnamed:1+" : "open:1"}, command);
+    EXPECT_EQ(ran.exit_code, 0) << ran;
+    for (const std::string& file : common) EXPECT_TRUE(read(file) == complete[file]) << file << '\n' << ran;
+    EXPECT_EQ(files(), all);
+  }
 }
 
 TEST_F(MpiFaults, a_rank_without_memory_ends_the_job) {

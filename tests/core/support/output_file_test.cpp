@@ -12,6 +12,7 @@
 
 #include "../../../core/formats.hpp"
 #include "../../../core/formats/records.hpp"
+#include "../../../core/support/leftover_files.hpp"
 #include "../../temporary_folder.hpp"
 #include "../sample_mesh.hpp"
 
@@ -20,27 +21,79 @@ using namespace files;
 namespace {
 
 namespace fs = std::filesystem;
+using enum OutputFile::Aside;
 
 /// The end of the name of a partial file that this process is about to make: of the next one, or of a later one.
 std::string partial_suffix(int later = 0) {
   const TemporaryFolder folder;
-  const OutputFile probe(folder / "probe");
-  const std::string name = folder.names();  // "probe.PROCESS-NUMBER.partial "
-  const int number = std::stoi(name.substr(name.find('-') + 1)) + 1 + later;
-  return std::to_string(::getpid()) + "-" + std::to_string(number) + ".partial";
+  const OutputFile probe(folder / "probe", named);
+  const std::string name = folder.names();  // "probe.SPACE-PROCESS-NUMBER.partial "
+  const int number = std::stoi(name.substr(name.rfind('-') + 1)) + 1 + later;
+  const std::string next = partial_name("", static_cast<std::uint64_t>(number)).string();  // ".SPACE-..."
+  return next.substr(1);
 }
+
+/// True where a file can be written without a name.
+bool files_can_be_unnamed(const TemporaryFolder& folder) { return OutputFile(folder / "probe").is_unnamed(); }
 
 TEST(OutputFile, gets_its_name_only_when_it_is_complete) {
   const TemporaryFolder folder;
   folder.write("a b.txt", "old");
   const std::string suffix = partial_suffix();
-  OutputFile out(folder / "a b.txt");
+  OutputFile out(folder / "a b.txt", named);
   out.write("new");
   EXPECT_EQ(folder.names(), "a b.txt a b.txt." + suffix + " ");
   EXPECT_EQ(folder.read("a b.txt"), "old");
   ASSERT_TRUE(out.commit().ok());
   EXPECT_EQ(folder.names(), "a b.txt ");
   EXPECT_EQ(folder.read("a b.txt"), "new");
+}
+
+TEST(OutputFile, has_no_name_before_where_the_file_system_allows_it) {
+  const TemporaryFolder folder;
+  if (!files_can_be_unnamed(folder)) GTEST_SKIP() << "not here";
+  for (const std::string before : {"", "a.txt "}) {
+    OutputFile out(folder / "a.txt");
+    out.write("new " + before);
+    EXPECT_EQ(folder.names(), before);
+    ASSERT_TRUE(out.close().ok());
+    EXPECT_EQ(folder.names(), before);
+    ASSERT_TRUE(out.commit().ok());
+    EXPECT_EQ(folder.names(), "a.txt ");
+    EXPECT_EQ(folder.read("a.txt"), "new " + before);
+  }
+}
+
+TEST(OutputFile, replaces_a_file_that_got_the_name_meanwhile) {
+  const TemporaryFolder folder;
+  OutputFile out(folder / "a.txt");
+  out.write("new");
+  folder.write("a.txt", "of another process");
+  ASSERT_TRUE(out.commit().ok());
+  EXPECT_EQ(folder.names(), "a.txt ");
+  EXPECT_EQ(folder.read("a.txt"), "new");
+}
+
+TEST(OutputFile, can_be_opened_by_another_descriptor_before_it_has_its_name) {
+  for (const OutputFile::Aside aside : {unnamed, named}) {
+    const TemporaryFolder folder;
+    OutputFile out(folder / "a.txt", aside);
+    const int other = ::open(out.written().c_str(), O_WRONLY);
+    ASSERT_GE(other, 0);
+    EXPECT_EQ(::pwrite(other, "new", 3, 0), 3);
+    ::close(other);
+    ASSERT_TRUE(out.commit().ok());
+    EXPECT_EQ(folder.read("a.txt"), "new");
+  }
+}
+
+TEST(OutputFile, whose_name_has_no_room_for_a_partial_name_is_refused_at_once) {
+  const TemporaryFolder folder;
+  for (const OutputFile::Aside aside : {unnamed, named}) {
+    const OutputFile out(folder / std::string(240, 'a'), aside);
+    EXPECT_FALSE(out.ok());
+  }
+  EXPECT_EQ(folder.names(), "");
 }
 
 /// Under UndefinedBehaviorSanitizer this failed: the bytes of an empty array are a null pointer. Found by the fuzz
@@ -62,7 +115,7 @@ TEST(OutputFile, leaves_all_files_alone_that_it_has_not_made) {
   fs::create_directory(folder / ("a.txt." + partial_suffix(1)));
   const std::string before = folder.names();
   {
-    OutputFile out(folder / "a.txt"), again(folder / "a.txt");
+    OutputFile out(folder / "a.txt", named), again(folder / "a.txt", named);
     out.write("new");
     again.write("newer");
     ASSERT_TRUE(out.commit().ok());
@@ -83,24 +136,31 @@ TEST(OutputFile, that_cannot_be_written_aside_removes_nothing) {
 
 TEST(OutputFile, has_the_permissions_of_a_new_file) {
   const TemporaryFolder folder;
-  const mode_t before = ::umask(027);
-  OutputFile out(folder / "a.txt");
-  EXPECT_TRUE(out.commit().ok());
-  ::umask(before);
-  using enum fs::perms;
-  EXPECT_EQ(fs::status(folder / "a.txt").permissions(), owner_read | owner_write | group_read);
+  for (const OutputFile::Aside aside : {unnamed, named}) {
+    const mode_t before = ::umask(027);
+    OutputFile out(folder / "a.txt", aside);
+    EXPECT_TRUE(out.commit().ok());
+    ::umask(before);
+    using enum fs::perms;
+    EXPECT_EQ(fs::status(folder / "a.txt").permissions(), owner_read | owner_write | group_read);
+  }
 }
 
 TEST(OutputFile, leaves_no_file_without_commit) {
   const TemporaryFolder folder;
-  { OutputFile(folder / "a.txt").write("half"); }
+  for (const OutputFile::Aside aside : {unnamed, named}) {
+    OutputFile(folder / "a.txt", aside).write("half");
+    EXPECT_EQ(folder.names(), "");
+    OutputFile closed(folder / "a.txt", aside);
+    EXPECT_TRUE(closed.close().ok());
+  }
   EXPECT_EQ(folder.names(), "");
 }
 
 TEST(OutputFile, that_is_partial_is_removed_if_the_process_has_to_end) {
   const TemporaryFolder folder;
   folder.write("a.txt", "old");
-  OutputFile out(folder / "a.txt");
+  OutputFile out(folder / "a.txt", named);
   out.write("new");
   { const auto lock = remove_partial_files(); }
   EXPECT_EQ(folder.names(), "a.txt ");
@@ -175,7 +235,7 @@ TEST(OutputFile, is_written_beside_the_target_of_a_symbolic_link) {
   folder.write("elsewhere/file", "old");
   fs::create_symlink("elsewhere/file", folder / "link");
   const std::string suffix = partial_suffix();
-  const OutputFile out(folder / "link");
+  const OutputFile out(folder / "link", named);
   EXPECT_TRUE(fs::exists(folder / ("elsewhere/file." + suffix)));
   EXPECT_EQ(folder.names(), "elsewhere link ");
 }
@@ -239,7 +299,7 @@ TEST(OutputFile, that_has_its_name_removes_no_later_file_with_the_name_of_its_pa
   const TemporaryFolder folder;
   const std::string partial = "a.txt." + partial_suffix();
   {
-    OutputFile out(folder / "a.txt");
+    OutputFile out(folder / "a.txt", named);
     ASSERT_TRUE(out.commit().ok());
     folder.write(partial, "of the user");
   }
@@ -280,7 +340,7 @@ TEST(OutputFile, below_dev_is_written_aside_if_it_is_a_regular_file) {
   if (!fs::is_directory("/dev/shm")) GTEST_SKIP() << "there is no /dev/shm";
   const fs::path file = "/dev/shm/pardel-test-" + std::to_string(::getpid());
   const std::string suffix = partial_suffix();
-  OutputFile out(file);
+  OutputFile out(file, named);
   out.write("x");
   EXPECT_FALSE(fs::exists(file)) << "the file appears under its name before it is complete";
   EXPECT_TRUE(fs::exists(file.string() + "." + suffix));
