@@ -127,10 +127,18 @@ const Pslg& pslg_of(const Source& source) {
   return domain != nullptr ? domain->pslg() : std::get<CoarseMesh>(source).domain.pslg;
 }
 
-std::vector<Warning> print_warnings(const ValidPslg& domain, const std::string& name) {
+Status check_sizes_of(const MaybeRepaired& repaired, const SizeField& sizes) {
+  if (repaired.original && std::holds_alternative<PointSizes>(sizes))
+    return Error{ErrorKind::usage,
+                 "--sizes refers to the points of the input, which --repair changed; write the repaired domain with "
+                 "'pardel doctor' and give sizes for its points"};
+  return Done{};
+}
+
+std::vector<Warning> print_warnings(const ValidPslg& domain, const std::string& name, std::string_view program) {
   std::vector<Warning> warnings = find_warnings(domain);
   for (const Warning& warning : warnings)
-    warn(fmt::format("{}: warning: {}", name, warning.message(domain.pslg().first_id.value)));
+    warn(fmt::format("{}: warning: {}", name, warning.message(domain.pslg().first_id.value)), program);
   return warnings;
 }
 

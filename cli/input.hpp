@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "../parallel/validate.hpp"
 #include "../parallel/warnings.hpp"
 #include "refusal.hpp"
+#include "size_field.hpp"
 
 namespace pardel::cli {
 
@@ -70,8 +72,12 @@ struct MaybeRepaired {
 [[nodiscard]] Result<MaybeRepaired, Refusal> validated_or_repaired(Domain domain, const RepairOptions& options,
                                                                    int threads = 1);
 
+/// Error: `usage` if the sizes are those of points, and a repair has changed the points.
+[[nodiscard]] Status check_sizes_of(const MaybeRepaired& repaired, const SizeField& sizes);
+
 /// Finds the warnings of a domain, prints them on stderr, one line each, and returns them. Gaps are not among them.
-std::vector<Warning> print_warnings(const ValidPslg& domain, const std::string& name);
+std::vector<Warning> print_warnings(const ValidPslg& domain, const std::string& name,
+                                    std::string_view program = "pardel");
 
 /// The problems of a domain as a refusal. The message numbers them as in the file and lists ten of each kind. If a
 /// command or an option can help, the message names it.

@@ -50,6 +50,11 @@ Exit status:
 
 Every command has its own help: pardel help COMMAND, or pardel COMMAND --help.)";
 
+constexpr std::array<AbsentOption, 2> options_of_pardel_mpi = {{
+    {"mesh", "--read", "one process reads the whole input; 'pardel-mpi mesh' lets each rank read a part"},
+    {"mesh", "--pieces", "one process makes a mesh as a whole; 'pardel-mpi mesh --interior fill' makes it in pieces"},
+}};
+
 Result<ExitCode> run(std::vector<std::string> arguments) {
   expand_help(arguments);
   const std::string first = arguments.empty() ? std::string() : arguments.front();
@@ -61,7 +66,8 @@ Result<ExitCode> run(std::vector<std::string> arguments) {
   program.set_version_flag("-V,--version", "pardel " PARDEL_VERSION);
   program.footer(examples);
   program.formatter(std::make_shared<HelpFormatter>());  // subcommands inherit it
-  program.failure_message(usage_message);
+  program.failure_message(
+      [](const CLI::App* app, const CLI::Error& error) { return usage_message(app, error, options_of_pardel_mpi); });
   program.require_subcommand(1);
   const std::array commands = {add_mesh(program),   add_check(program), add_convert(program),
                                add_doctor(program), add_draw(program),  add_generate(program)};

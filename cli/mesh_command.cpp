@@ -48,11 +48,7 @@ Result<ValidPslg, Refusal> repair_domain(const MeshArguments& arguments, Domain 
                             arguments.options.threads);
   if (!repaired) return repaired.error();
   for (const std::string& line : repaired->log) warn(line);
-  if (repaired->original && std::holds_alternative<PointSizes>(sizes.field)) {
-    return Refusal({ErrorKind::usage,
-                    "--sizes refers to the points of the input, which --repair changed; write the repaired "
-                    "domain with 'pardel doctor' and give sizes for its points"});
-  }
+  if (Status fits = check_sizes_of(*repaired, sizes.field); !fits) return Refusal(fits.error());
   return std::move(repaired->domain);
 }
 

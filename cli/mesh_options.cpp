@@ -63,35 +63,23 @@ void add_limits(CLI::App& app, MeshArguments& arguments) {
       ->type_name("N")
       ->check(positive_number("a number of vertices"))
       ->group("Limits");
-  app.add_option("--min-edge", options.min_edge,
-                 "Insert no point that would make a shorter edge (default: the limit of double precision)")
-      ->check(positive_number("a length"))
-      ->type_name("LENGTH")
-      ->group("Limits");
-  add_keep_option(app, options)->group("Limits");
-  app.add_option("--max-memory", arguments.max_memory_gib,
-                 "Stop if the process needs more memory than this, in GiB (default: the memory available)")
-      ->check(positive_number("an amount of memory"))
-      ->type_name("GIB")
-      ->group("Limits");
+  add_min_edge_option(app, options);
+  add_keep_option(app, options);
+  add_memory_option(app, arguments.max_memory_gib);
   add_threads_option(app, arguments.threads, "the mesh")->group("Limits");
 }
 
 void add_steps(CLI::App& app, MeshArguments& arguments) {
   app.add_flag("--refine", arguments.refine, "Refine the mesh IN; its vertices stay");
-  CLI::Option* repair = app.add_flag("--repair", arguments.repair,
-                                     "Repair the domain before meshing: merge points, split segments, close tiny gaps")
-                            ->excludes("--refine");
-  add_snap_option(app, arguments.snap, repair);
-  app.add_flag("--check", arguments.check, "Check the mesh with exact arithmetic");
+  add_repair_options(app, arguments.repair, arguments.snap)->excludes("--refine");
+  add_check_option(app, arguments.check);
   app.add_flag("--paranoid", arguments.paranoid,
                "Also check the mesh, except for its bounds, after every sweep; stop at the first violation (slow)");
 }
 
 void add_forms_of_output(CLI::App& app, MeshArguments& arguments) {
   add_mesh_format_options(app, arguments.format);
-  app.add_option("--json", arguments.json, "Write a report as JSON, also for invalid input; - is standard output")
-      ->type_name("FILE|-");
+  add_report_option(app, arguments.json);
   add_progress_option(app, arguments.progress);
   app.add_flag("-q,--quiet", arguments.quiet, "Print nothing on standard output except the report of --json -");
 }
@@ -104,7 +92,46 @@ CLI::Option* add_keep_option(CLI::App& app, Options& options) {
                   "Split no segment with one of these markers in the mesh; triangles that miss a bound for this\n"
                   "reason are listed as kept_segment")
       ->delimiter(',')
-      ->type_name("MARKER,...");
+      ->type_name("MARKER,...")
+      ->group("Limits");
+}
+
+CLI::Option* add_min_edge_option(CLI::App& app, Options& options) {
+  return app
+      .add_option("--min-edge", options.min_edge,
+                  "Insert no point that would make a shorter edge (default: the limit of double precision)")
+      ->check(positive_number("a length"))
+      ->type_name("LENGTH")
+      ->group("Limits");
+}
+
+CLI::Option* add_memory_option(CLI::App& app, std::optional<double>& gib) {
+  return app
+      .add_option("--max-memory", gib,
+                  "Stop if the process needs more memory than this, in GiB (default: the memory available)")
+      ->check(positive_number("an amount of memory"))
+      ->type_name("GIB")
+      ->group("Limits");
+}
+
+CLI::Option* add_repair_options(CLI::App& app, bool& repair, std::optional<double>& snap) {
+  CLI::Option* option = app.add_flag("--repair", repair,
+                                     "Repair the domain before meshing: merge points, split segments, close tiny gaps");
+  add_snap_option(app, snap, option);
+  return option;
+}
+
+CLI::Option* add_check_option(CLI::App& app, bool& check) {
+  return app.add_flag("--check", check, "Check the mesh with exact arithmetic");
+}
+
+CLI::Option* add_report_option(CLI::App& app, std::filesystem::path& json) {
+  return app.add_option("--json", json, "Write a report as JSON, also for invalid input; - is standard output")
+      ->type_name("FILE|-");
+}
+
+std::uint64_t memory_limit(std::optional<double> gib, std::uint64_t otherwise) {
+  return gib ? static_cast<std::uint64_t>(*gib * 0x1p30) : otherwise;
 }
 
 Status check_interior(Interior interior, const GoalOptions& goal) {
@@ -176,8 +203,7 @@ Status complete_options(MeshArguments& arguments) {
   if (Status fits = check_interior(options.interior, arguments.goal); !fits) return fits;
   use_threads(arguments.threads);
   options.threads = omp_get_max_threads();
-  options.max_memory =
-      arguments.max_memory_gib ? static_cast<std::uint64_t>(*arguments.max_memory_gib * 0x1p30) : available_memory();
+  options.max_memory = memory_limit(arguments.max_memory_gib, available_memory());
   return set_cells(arguments.cells, options);
 }
 

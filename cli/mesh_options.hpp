@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/App.hpp>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <vector>
@@ -39,8 +40,16 @@ void add_ways_to_work(CLI::App& app, Options& options, std::vector<Index>& cells
 /// Takes over the columns and rows. Error: `usage` if the decomposition has none.
 [[nodiscard]] Status set_cells(const std::vector<Index>& cells, Options& options);
 
-/// Adds --keep: the markers of segments that are not split.
+// Options that both programs have.
 CLI::Option* add_keep_option(CLI::App& app, Options& options);
+CLI::Option* add_min_edge_option(CLI::App& app, Options& options);
+CLI::Option* add_memory_option(CLI::App& app, std::optional<double>& gib);
+/// Adds --repair, which is returned, and --snap.
+CLI::Option* add_repair_options(CLI::App& app, bool& repair, std::optional<double>& snap);
+CLI::Option* add_check_option(CLI::App& app, bool& check);
+CLI::Option* add_report_option(CLI::App& app, std::filesystem::path& json);
+/// In bytes. `otherwise`: the limit without the option.
+[[nodiscard]] std::uint64_t memory_limit(std::optional<double> gib, std::uint64_t otherwise);
 
 /// Refuses --interior fill where no triangle would be laid.
 [[nodiscard]] Status check_interior(Interior interior, const GoalOptions& goal);

@@ -143,6 +143,19 @@ nlohmann::ordered_json refine_json(const MeshRun& run) {
       {"exemptions", exemptions}};
 }
 
+nlohmann::ordered_json ranks_json(const RanksOfRun& ranks) {
+  return {{"count", ranks.triangles.size()},
+          {"pieces", ranks.pieces},
+          {"input", ranks.divided ? "parts" : "whole"},
+          {"triangles", ranks.triangles},
+          {"peak_rss_bytes", ranks.peak_memory}};
+}
+
+/// Of this process, or of the rank that has used most.
+std::uint64_t most_memory(const MeshRun& run) {
+  return run.ranks ? std::ranges::max(run.ranks->peak_memory) : peak_memory();
+}
+
 /// `asked_for`: the user wants equilateral triangles, not only a good mesh.
 std::string filling_text(const Report& report, bool asked_for) {
   if (report.laid == 0 && asked_for)
@@ -185,9 +198,11 @@ std::string to_json(const MeshRun& run) {
       {"refine", refine_json(run)},
       {"gaps", gaps_json(run.report.gaps, 0)},
       {"goal_met", run.report.goal_met()},
-      {"peak_rss_bytes", peak_memory()},
+      {"peak_rss_bytes", most_memory(run)},
       {"digest", to_string(run.digest)}};
   if (run.large) json["warnings"].push_back(warning_json(*run.large));
+  if (run.ranks && run.ranks->divided) json["warnings"] = json["gaps"] = nullptr;
+  if (run.ranks) json["ranks"] = ranks_json(*run.ranks);
   if (run.certificate) json["certificate"] = nlohmann::ordered_json::parse(to_json(*run.certificate));
   return json_text(json);
 }

@@ -25,6 +25,15 @@ struct Seconds {
   double total = 0;
 };
 
+/// The ranks of an MPI job that have made a mesh together.
+struct RanksOfRun {
+  std::vector<std::uint64_t> triangles;    ///< of the pieces of each rank
+  std::vector<std::uint64_t> peak_memory;  ///< of each rank, in bytes
+  std::uint64_t pieces = 0;                ///< of all ranks
+  /// Each rank has read a part of the input. Then nobody has looked for gaps and warnings.
+  bool divided = false;
+};
+
 struct MeshRun {
   std::string name;  ///< the name of the input file
   std::size_t points = 0, segments = 0, holes = 0, regions = 0;
@@ -44,6 +53,7 @@ struct MeshRun {
   std::optional<std::uint64_t> sweeps_checked;  ///< only with --paranoid
   std::vector<std::filesystem::path> outputs;
   Seconds seconds;
+  std::optional<RanksOfRun> ranks;  ///< only of pardel-mpi
 };
 
 [[nodiscard]] std::string to_json(const MeshRun& run);

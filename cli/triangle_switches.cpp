@@ -40,9 +40,7 @@ std::optional<Number> take_number(std::string_view& rest) {
   return value;
 }
 
-bool begins_with_number(std::string_view rest) {
-  return !rest.empty() && (is_digit(rest[0]) || rest[0] == '.');
-}
+bool begins_with_number(std::string_view rest) { return !rest.empty() && (is_digit(rest[0]) || rest[0] == '.'); }
 
 /// What a switch of Triangle does that pardel does not support; null for any other letter.
 const char* unsupported(char letter) {

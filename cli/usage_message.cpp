@@ -24,11 +24,14 @@ std::vector<std::string> long_options(const CLI::App& command) {
 
 /// The message for an argument that the command does not know; empty if there is none. An unknown option comes first,
 /// because its value is then an unknown argument, too.
-std::string unknown_argument(const CLI::App& command) {
+std::string unknown_argument(const CLI::App& command, std::span<const AbsentOption> absent) {
   const std::vector<std::string> extras = command.remaining();
   const auto option = std::ranges::find_if(extras, [](const std::string& word) { return word.starts_with('-'); });
   if (option != extras.end()) {
     const std::string name = option->substr(0, option->find('='));
+    for (const AbsentOption& other : absent)
+      if (other.command == command.get_name() && other.option == name)
+        return fmt::format("there is no option '{}': {}", name, other.why);
     return fmt::format("there is no option '{}'{}", name, suggestion(name, long_options(command)));
   }
   return extras.empty() ? std::string() : fmt::format("unexpected argument '{}'", extras.front());
@@ -36,12 +39,12 @@ std::string unknown_argument(const CLI::App& command) {
 
 }  // namespace
 
-std::string usage_message(const CLI::App* program, const CLI::Error& error) {
+std::string usage_message(const CLI::App* program, const CLI::Error& error, std::span<const AbsentOption> absent) {
   std::string name = program->get_name();
   std::string unknown;
   for (const CLI::App* command : program->get_subcommands()) {
     name += ' ' + command->get_name();
-    unknown = unknown_argument(*command);
+    unknown = unknown_argument(*command, absent);
   }
   return fmt::format("{}: {} (see '{} --help')\n", name, unknown.empty() ? error.what() : unknown, name);
 }

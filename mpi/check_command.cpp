@@ -124,11 +124,12 @@ Result<ExitCode> run_check(const CheckArguments& arguments, Job& job) {
   use_threads(arguments.threads > 0 ? arguments.threads : job.threads_per_rank());
   const Stopwatch watch;
   // As 'pardel check', the first rank writes why an input is refused to the file of --json.
-  const auto refusal = [&](const Error& error) {
-    return job.is_first() ? refused(error, arguments.domain, arguments.json) : error;
+  const auto refusal = [&](const Refusal& why) {
+    return job.is_first() ? refused(why, arguments.domain, arguments.json) : why.error;
   };
-  const Result<Problem> problem = read_problem(arguments.domain, arguments.goal, arguments.threads);
-  if (Status all = job.agree(status_of(problem)); !all) return refusal(all.error());
+  const Result<Problem, Refusal> problem =
+      read_problem(arguments.domain, arguments.goal, {.threads = arguments.threads});
+  if (const auto common = common_refusal(problem, job)) return refusal(*common);
   const double input_seconds = watch.seconds();
   Result<std::vector<std::filesystem::path>> files = files_of_pieces(arguments.mesh);
   if (Status all = job.agree(status_of(files)); !all) return refusal(all.error());
@@ -136,7 +137,7 @@ Result<ExitCode> run_check(const CheckArguments& arguments, Job& job) {
   const CheckOptions options{
       .max_violations = most_kept(arguments.json), .max_circumradius = arguments.max_circumradius, .foreign = true};
   Result<Certificate> checked = check(problem->domain.pslg(), pieces.to_read(), problem->goal, options, job.ranks());
-  if (!checked) return refusal({checked.error().kind, arguments.mesh.string() + ": " + checked.error().message});
+  if (!checked) return refusal(Error{checked.error().kind, arguments.mesh.string() + ": " + checked.error().message});
   checked->ranks = job.count();
   const Certificate& certificate = *checked;
   if (Status sized = job.agree(pieces.require_sizes(problem->goal, certificate)); !sized) return sized.error();

@@ -29,9 +29,11 @@ void print(const Made& made, const char* making, int threads, std::span<const st
                margins > 0 ? fmt::format("; ranks held {:.2f} % more triangles than their own",
                                          100 * margins / static_cast<double>(made.triangles))
                            : "");
+  if (made.valid) fmt::print("check   {}\n", *made.valid ? "valid" : "NOT VALID");
   fmt::print("digest  {}\n", to_string(all));
-  fmt::print("time    {:.3f} s (read {:.3f}, {} {:.3f}, pieces {:.3f}, write {:.3f})\n", made.seconds.all,
-             made.seconds.read, making, made.seconds.refine, made.seconds.pieces, made.seconds.write);
+  const std::string check = made.valid ? fmt::format("check {:.3f}, ", made.seconds.check) : "";
+  fmt::print("time    {:.3f} s (read {:.3f}, {} {:.3f}, pieces {:.3f}, {}write {:.3f})\n", made.seconds.all,
+             made.seconds.read, making, made.seconds.refine, made.seconds.pieces, check, made.seconds.write);
   fmt::print("output  {}\n", names_of(outputs));
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 
 #include "../core/digest.hpp"
@@ -13,7 +14,7 @@
 namespace pardel::mpi {
 
 struct Seconds {
-  double read = 0, refine = 0, pieces = 0, write = 0, all = 0;
+  double read = 0, refine = 0, pieces = 0, check = 0, write = 0, all = 0;
 };
 
 /// A mesh, and what this rank has of it.
@@ -23,7 +24,8 @@ struct Made {
   std::uint64_t margin = 0;                                                    ///< MeshPiece::margin of this rank
   Digest digest;                                                               ///< of the pieces of this rank
   Seconds seconds;
-  bool divided = false;  ///< each rank has read a part of the input
+  bool divided = false;       ///< each rank has read a part of the input
+  std::optional<bool> valid;  ///< what the check has found; without a value: there was none
 
   void add(const MeshPiece& piece) {
     points = piece.points;

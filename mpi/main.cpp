@@ -17,6 +17,7 @@
 #include "../cli/processors.hpp"
 #include "../cli/usage_message.hpp"
 #include "../core/support/stop_signal.hpp"
+#include "absent_options.hpp"
 #include "check_command.hpp"
 #include "job.hpp"
 #include "mesh_command.hpp"
@@ -42,7 +43,8 @@ ExitCode run(int argc, char** argv, Job& job) {
   program.set_version_flag("-V,--version", "pardel-mpi " PARDEL_VERSION);
   program.footer(footer);
   program.formatter(std::make_shared<cli::HelpFormatter>());
-  program.failure_message(cli::usage_message);
+  program.failure_message(
+      [](const CLI::App* app, const CLI::Error& error) { return cli::usage_message(app, error, absent_options); });
   program.require_subcommand(1);
   const std::array commands{add_mesh(program, job), add_triangulate(program, job), add_check(program, job)};
   std::vector<std::string> arguments(argv + 1, argv + argc);

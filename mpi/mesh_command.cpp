@@ -11,24 +11,34 @@
 #include <optional>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "../cli/choice.hpp"
+#include "../cli/findings_text.hpp"
 #include "../cli/goal_options.hpp"
+#include "../cli/input.hpp"
 #include "../cli/memory.hpp"
 #include "../cli/memory_watch.hpp"
 #include "../cli/mesh_options.hpp"
 #include "../cli/names.hpp"
+#include "../cli/output.hpp"
+#include "../cli/refusal.hpp"
+#include "../cli/report.hpp"
 #include "../cli/threads_option.hpp"
+#include "../cli/verdict.hpp"
 #include "../core/formats.hpp"
 #include "../core/support/agree.hpp"
 #include "../core/support/collective.hpp"
 #include "../core/support/enum_names.hpp"
+#include "../core/support/open_file.hpp"
 #include "../core/support/stopwatch.hpp"
 #include "../parallel/distributed.hpp"
 #include "../parallel/mesher.hpp"
+#include "../properties/checker/check_pieces.hpp"
 #include "made.hpp"
 #include "outputs.hpp"
+#include "parts_of_report.hpp"
 #include "points.hpp"
 #include "problem.hpp"
 
@@ -39,8 +49,8 @@ using namespace cli;
 
 constexpr const char* mesh_footer =
     R"(The mesh is that of 'pardel mesh' with the same options and the same --interior, on any number of ranks and
-threads. By default the interior is refined. With --interior fill, --pieces lets a rank make several pieces one after
-another, so that the mesh can be larger than the memory of all ranks.
+threads. With --interior fill, --pieces lets a rank make several pieces one after another, so that the mesh can be larger
+than the memory of all ranks. The report of --json has the keys of that of 'pardel mesh', and 'ranks'.
 
 Output:
   OUT.pvtu           a list of the pieces OUT_0000.vtu, OUT_0001.vtu, ..., one per rank, for ParaView
@@ -54,6 +64,7 @@ Examples:
   mpirun -n 4 pardel-mpi mesh pipe.poly -o pipe.pvtu --max-area 1e-6
   mpirun -n 2 pardel-mpi mesh pipe.poly -o large.pvtu --max-area 1e-8 --interior fill --pieces 32)";
 
+constexpr const char* program = "pardel-mpi";
 constexpr int most_pieces = 10'000;              // their numbers have four digits
 constexpr std::uintmax_t small_input = 8 << 20;  // bytes; about 200,000 points
 
@@ -73,7 +84,22 @@ struct Arguments {
   Options options{.placement = Placement::automatic};  // the interior is refined
   std::vector<Index> cells;
   int threads = 0, pieces = 0;  ///< pieces: 0 for one per rank
+  std::optional<double> max_memory_gib;
+  bool repair = false;
+  std::optional<double> snap;
+  bool check = false;
+  std::filesystem::path json;
   bool msh_ascii = false, quiet = false;
+
+  [[nodiscard]] HowToRead how_to_read() const { return {options.threads, repair, snap}; }
+};
+
+/// A run of the command, and what its report says.
+struct Run {
+  const Arguments& arguments;
+  Job& job;
+  MeshRun report{};
+  PartsOfReport parts{};
 };
 
 void add_options(CLI::App& app, Arguments& arguments) {
@@ -101,17 +127,23 @@ void add_options(CLI::App& app, Arguments& arguments) {
                  "one after another. Only with --interior fill and for one OUT.pvtu")
       ->check(CLI::Range(1, most_pieces).description(""))
       ->type_name("N");
-  app.add_option("--min-edge", arguments.options.min_edge,
-                 "Insert no point that would make a shorter edge (default: the limit of double precision)")
-      ->check(positive_number("a length"))
-      ->type_name("LENGTH");
+  add_min_edge_option(app, arguments.options);
   add_keep_option(app, arguments.options);
+  add_memory_option(app, arguments.max_memory_gib)
+      ->description("Stop if a rank needs more memory than this, in GiB (default: its share of the memory available)");
   add_threads_option(app, arguments.threads, "the mesh")
       ->description(
           "Number of threads of each rank; 0 or all (default): its share of the processors of its machine;\n"
-          "the mesh does not depend on it");
+          "the mesh does not depend on it")
+      ->group("Limits");
+  add_repair_options(app, arguments.repair, arguments.snap)
+      ->description(
+          "Repair the domain before meshing: merge points, split segments, close tiny gaps; each rank reads\n"
+          "the whole input then");
+  add_check_option(app, arguments.check);
   app.add_flag("--msh-ascii", arguments.msh_ascii, "Write .msh as text (default: binary)");
-  app.add_flag("-q,--quiet", arguments.quiet, "Print nothing on standard output");
+  add_report_option(app, arguments.json);
+  app.add_flag("-q,--quiet", arguments.quiet, "Print nothing on standard output except the report of --json -");
   app.footer(mesh_footer);
 }
 
@@ -123,28 +155,47 @@ Status write(const Arguments& arguments, const MeshPiece& piece, const Pslg& psl
   return Done{};
 }
 
-/// Writes the only piece of this rank. Collective.
-Result<Made> written(const Arguments& arguments, const MeshPiece& piece, const Pslg& pslg, Job& job) {
+/// Collective.
+Status check_piece(MeshPiece& piece, const Problem& problem, Made& made, Run& run) {
+  const Stopwatch watch;
+  NumberedMesh held{std::move(piece.mesh), std::move(piece.number)};
+  Result<Certificate> certificate = pardel::check(problem.domain.pslg(), held, problem.goal,
+                                                  {.max_violations = most_kept(run.arguments.json)}, run.job.ranks());
+  piece.mesh = std::move(held.mesh);
+  piece.number = std::move(held.number);
+  if (!certificate) return certificate.error();
+  certificate->ranks = run.job.count();
+  made.valid = certificate->valid;
+  run.report.certificate = std::move(*certificate);
+  made.seconds.check = watch.seconds();
+  return Done{};
+}
+
+/// Collective. Adds the only piece of this rank, and writes it. `problem`: to check it with; null without --check.
+Result<Made, Refusal> finished(MeshPiece& piece, const Pslg& pslg, const Problem* problem, Run& run) {
   Made made;
   made.add(piece);
+  if (!run.arguments.json.empty()) run.parts.add(piece);
+  if (problem != nullptr)
+    if (Status checked = check_piece(piece, *problem, made, run); !checked) return Refusal(checked.error());
   const Stopwatch watch;
-  if (Status done = write(arguments, piece, pslg, job); !done) return done.error();
+  if (Status done = write(run.arguments, piece, pslg, run.job); !done) return Refusal(done.error());
   made.seconds.write = watch.seconds();
   return made;
 }
 
 /// One piece per rank.
-Result<Made> make_together(const Arguments& arguments, const Problem& input, Job& job) {
-  const Result<MeshPiece> piece = mesh(input.domain, input.goal, arguments.options, job.ranks());
-  if (!piece) job.abort(piece.error());
-  return written(arguments, *piece, input.domain.pslg(), job);
+Result<Made, Refusal> make_together(const Problem& input, Run& run) {
+  Result<MeshPiece> piece = mesh(input.domain, input.goal, run.arguments.options, run.job.ranks());
+  if (!piece) run.job.abort(piece.error());
+  return finished(*piece, input.domain.pslg(), run.arguments.check ? &input : nullptr, run);
 }
 
 /// True if no rank needs the whole domain.
 bool may_divide(const Arguments& arguments) {
   const std::filesystem::path suffix = arguments.input.extension();
-  return (suffix == ".node" || suffix == ".poly") && arguments.pieces == 0 && arguments.goal.sizes.empty() &&
-         can_divide_points(goal_without_sizes(arguments.goal), arguments.options);
+  return (suffix == ".node" || suffix == ".poly") && arguments.pieces == 0 && !arguments.repair &&
+         arguments.goal.sizes.empty() && can_divide_points(goal_without_sizes(arguments.goal), arguments.options);
 }
 
 /// True if each rank can as well make the initial mesh and the coarse levels for itself: one rank that makes them for
@@ -170,50 +221,78 @@ bool is_divided(const Arguments& arguments, Job& job) {
 
 /// Collective. The error of a domain that was read in parts. An invalid one is read again, by one rank, to list all its
 /// problems with the advice of 'pardel mesh'. Other errors end the job.
-Error fault_of_domain(const Error& error, const Arguments& arguments, Job& job) {
-  if (error.kind != ErrorKind::invalid_input) job.abort(error);
-  Status valid = Done{};
-  if (job.is_first())
-    if (const Result<Problem> whole = read_problem(arguments.input, arguments.goal, arguments.options.threads); !whole)
-      valid = whole.error();
-  if (Status all = agree_on_input(valid, job.ranks()); !all) return all.error();
-  return {error.kind, arguments.input.string() + ": " + error.message};
+Refusal fault_of_domain(const Error& error, const Run& run) {
+  if (error.kind != ErrorKind::invalid_input) run.job.abort(error);
+  std::optional<Refusal> found;
+  if (run.job.is_first())
+    if (const auto whole = read_problem(run.arguments.input, run.arguments.goal, run.arguments.how_to_read()); !whole)
+      found = whole.error();
+  if (Status all = agree_on_input(found ? Status(found->error) : Done{}, run.job.ranks()); !all)
+    return found ? *found : Refusal(all.error());
+  return Error{error.kind, run.arguments.input.string() + ": " + error.message};
+}
+
+/// Collective. Sums of what the ranks have read.
+void count_input(const PartOfPslg& input, Run& run) {
+  run.report.points = sum_of(input.points.points.size(), run.job.ranks());
+  run.report.segments = sum_of(input.segments.segments.size(), run.job.ranks());
+  run.report.holes = input.rest.holes.size();
+  run.report.regions = input.rest.regions.size();
+}
+
+void count_input(const Pslg& input, MeshRun& report) {
+  report.points = input.points.size();
+  report.segments = input.segments.size();
+  report.holes = input.holes.size();
+  report.regions = input.regions.size();
 }
 
 /// One piece per rank, of a domain of which each rank has a part.
-Result<Made> make_of_parts(const Arguments& arguments, PartOfPslg&& input, Job& job) {
+Result<Made, Refusal> make_of_parts(PartOfPslg&& input, Run& run) {
+  const Arguments& arguments = run.arguments;
+  Job& job = run.job;
   const bool has_only_points = is_point_set(input, job.ranks());
   Pslg for_writers;  // they write holes and regions again
   for_writers.holes = input.rest.holes;
   for_writers.regions = input.rest.regions;
   for_writers.first_id = input.points.first_id;
-  const Result<MeshPiece> piece =
-      mesh(std::move(input), goal_without_sizes(arguments.goal), arguments.options, job.ranks());
-  if (piece) return written(arguments, *piece, for_writers, job);
-  if (has_only_points) return fault_of_points(piece.error(), arguments.input, arguments.options.threads, job);
-  return fault_of_domain(piece.error(), arguments, job);
+  run.report.goal = goal_without_sizes(arguments.goal);
+  Result<MeshPiece> piece = mesh(std::move(input), run.report.goal, arguments.options, job.ranks());
+  if (!piece && has_only_points)
+    return Refusal(fault_of_points(piece.error(), arguments.input, arguments.options.threads, job));
+  if (!piece) return fault_of_domain(piece.error(), run);
+  if (!arguments.check) return finished(*piece, for_writers, nullptr, run);
+  const auto whole = read_problem(arguments.input, arguments.goal, arguments.how_to_read());
+  if (const auto refusal = common_refusal(whole, job)) return *refusal;
+  return finished(*piece, for_writers, &*whole, run);
 }
 
 /// Each piece is written before the rank makes the next one.
-Result<Made> make_in_turn(const Arguments& arguments, const Problem& input, Job& job) {
+Result<Made, Refusal> make_in_turn(const Problem& input, Run& run) {
+  const Arguments& arguments = run.arguments;
   PvtuFiles files(arguments.outputs.front());
   Made made;
   Status written = Done{};
-  const Status ended = mesh_in_pieces(input.domain, input.goal, arguments.options, job.ranks(), arguments.pieces,
+  const Status ended = mesh_in_pieces(input.domain, input.goal, arguments.options, run.job.ranks(), arguments.pieces,
                                       [&](MeshPiece&& piece, int number) {
                                         made.add(piece);
+                                        if (!arguments.json.empty()) run.parts.add(piece);
                                         const Stopwatch watch;
                                         written = files.add(piece, number);
                                         made.seconds.write += watch.seconds();
                                         return written;
                                       });
-  if (!ended && written) job.abort(ended.error());
-  if (Status placed = files.commit(written, arguments.pieces, job); !placed) return placed.error();
+  if (!ended && written) run.job.abort(ended.error());
+  if (Status placed = files.commit(written, arguments.pieces, run.job); !placed) return Refusal(placed.error());
   return made;
 }
 
 Status check_number_of_pieces(const Arguments& arguments, int ranks) {
   if (arguments.pieces == 0) return Done{};
+  if (arguments.check)
+    return Error{ErrorKind::usage,
+                 "--check needs all pieces of a rank in memory, and --pieces makes them one after another; use "
+                 "'pardel-mpi check' afterwards"};
   if (arguments.outputs.size() != 1 || arguments.outputs.front().extension() != ".pvtu")
     return Error{ErrorKind::usage, "--pieces needs one output, OUT.pvtu"};
   if (arguments.pieces < ranks)
@@ -233,67 +312,127 @@ Status check_arguments(Arguments& arguments, const Ranks& ranks) {
   if (Status fine = check_inputs(std::array{arguments.input, arguments.goal.sizes, arguments.goal.sources}, ranks);
       !fine)
     return fine;
+  if (arguments.reading == Reading::parts && arguments.repair)
+    return Error{
+        ErrorKind::usage,
+        "--repair needs the whole input on each rank, and --read parts divides it; use --read whole, or 'pardel "
+        "doctor --repair' first"};
   if (arguments.reading == Reading::parts && !may_divide(arguments))
     return Error{ErrorKind::usage,
                  "--read parts needs a .poly or .node, an interior that is refined on a lattice, and bounds that do "
                  "not vary from place to place, except --regions"};
   if (Status fine = check_number_of_pieces(arguments, ranks.count()); !fine) return fine;
   if (Status fine = check_interior(arguments.options.interior, arguments.goal); !fine) return fine;
-  const ExpectedOutputs expected{arguments.outputs, std::max(arguments.pieces, ranks.count())};
+  const ExpectedOutputs expected{arguments.outputs, std::max(arguments.pieces, ranks.count()), arguments.json};
   if (Status fine = check_outputs(expected, arguments.input, arguments.goal, ranks); !fine) return fine;
   return set_cells(arguments.cells, arguments.options);
 }
 
-Result<Made> make(const Arguments& arguments, Job& job) {
+/// What one rank says about the whole domain.
+void describe(const Problem& input, Run& run) {
+  count_input(input.domain.pslg(), run.report);
+  run.report.goal = input.goal;
+  run.report.seconds.validate = input.validate_seconds;
+  if (!run.job.is_first()) return;
+  for (const std::string& line : input.log) warn(line, program);
+  run.report.warnings = print_warnings(input.domain, run.arguments.input.string(), program);
+}
+
+/// Collective.
+Result<Made, Refusal> make(Run& run) {
   const Stopwatch watch;
-  if (is_divided(arguments, job)) {
-    Result<PartOfPslg> input = read_part_of_pslg(arguments.input, job.ranks());
-    if (!input) return input.error();
+  if (is_divided(run.arguments, run.job)) {
+    Result<PartOfPslg> input = read_part_of_pslg(run.arguments.input, run.job.ranks());
+    if (!input) return Refusal(input.error());
+    count_input(*input, run);
     const double read_seconds = watch.seconds();
-    Result<Made> made = make_of_parts(arguments, std::move(*input), job);
+    Result<Made, Refusal> made = make_of_parts(std::move(*input), run);
     if (!made) return made;
     made->seconds.read = read_seconds;
     made->divided = true;
     return made;
   }
-  const Result<Problem> input = read_problem(arguments.input, arguments.goal, arguments.options.threads);
-  if (Status all = job.agree(input ? Status(Done{}) : input.error()); !all) return all.error();
+  const auto input = read_problem(run.arguments.input, run.arguments.goal, run.arguments.how_to_read());
+  if (const auto refusal = common_refusal(input, run.job)) return *refusal;
+  describe(*input, run);
   const double read_seconds = watch.seconds();
-  Result<Made> made =
-      arguments.pieces > 0 ? make_in_turn(arguments, *input, job) : make_together(arguments, *input, job);
+  Result<Made, Refusal> made = run.arguments.pieces > 0 ? make_in_turn(*input, run) : make_together(*input, run);
   if (made) made->seconds.read = read_seconds;
   return made;
 }
 
-Result<ExitCode> run(Arguments& arguments, Job& job) {
+/// Collective. The first rank writes it.
+Status write_report(const Made& made, const Stopwatch& joining, Run& run) {
+  if (run.arguments.json.empty()) return Done{};
+  MeshRun& report = run.report;
+  report.name = run.arguments.input.string();
+  report.sizes = run.arguments.goal.sizes;
+  report.options = run.arguments.options;
+  report.outputs = run.arguments.outputs;
+  run.parts.join(made.divided, report, run.job.ranks());
+  const double validate = report.seconds.validate;  // 0 for an input in parts
+  report.seconds = {.read = made.seconds.read - validate,
+                    .validate = validate,
+                    .triangulate = report.report.triangulate_seconds,
+                    .refine = made.seconds.refine + made.seconds.pieces,
+                    .check = made.seconds.check,
+                    .write = made.seconds.write,
+                    .statistics = joining.seconds(),
+                    .total = made.seconds.all};
+  return run.job.agree(run.job.is_first() ? write_text(to_json(report), run.arguments.json) : Done{});
+}
+
+/// The messages of the first rank, and the exit code of all. Only pardel-mpi checks pieces without joining them, which
+/// may take more memory than there is.
+ExitCode verdict(const Made& made, const Run& run) {
+  const std::string name = run.arguments.input.string();
+  const auto& certificate = run.report.certificate;
+  const bool is_wrong = certificate && !certificate->valid, is_broken = is_wrong && !only_bounds_missed(*certificate);
+  if (is_wrong && run.job.is_first()) {
+    const bool expected = !is_broken && made.missed > 0;
+    warn(name + (expected ? ": the check found missed bounds only\n" : ": the check found violations\n") +
+             findings_text(*certificate, "the report of --json"),
+         program);
+  }
+  if (made.missed > 0 && run.job.is_first()) {
+    const bool has_pieces = run.arguments.outputs.front().extension() == ".pvtu";
+    warn(fmt::format("{}: {} triangles miss a bound because of a limit or of rounding; '{} check' lists them", name,
+                     made.missed, has_pieces ? program : "pardel"),
+         program);
+  }
+  if (is_broken) return ExitCode::violations;
+  if (made.missed > 0) return ExitCode::goal_missed;
+  return is_wrong ? ExitCode::violations : ExitCode::done;
+}
+
+Result<ExitCode> run_mesh(Arguments& arguments, Job& job) {
   Stopwatch watch;
-  const MemoryWatch memory_watch(available_memory(job.ranks_here()));
+  const MemoryWatch memory_watch(memory_limit(arguments.max_memory_gib, available_memory(job.ranks_here())));
   if (Status fine = job.agree(check_arguments(arguments, job.ranks())); !fine) return fine.error();
   if (Status common = check_common_folders(arguments.outputs, job); !common) return common.error();
   arguments.options.threads = arguments.threads > 0 ? arguments.threads : job.threads_per_rank();
   use_threads(arguments.options.threads);
-  Result<Made> made = make(arguments, job);
-  if (!made) return made.error();
+  Run run{arguments, job};
+  Result<Made, Refusal> made = make(run);
+  if (!made) return job.is_first() ? refused(made.error(), arguments.input, arguments.json) : made.error().error;
   made->seconds.all = watch.seconds();
-  print(*made, "refine", arguments.options.threads, arguments.outputs, arguments.quiet, job);
-  if (made->missed == 0) return ExitCode::done;
-  // Only pardel-mpi checks pieces without joining them, which may take more memory than there is.
-  const bool has_pieces = arguments.outputs.front().extension() == ".pvtu";
-  const char* checker = has_pieces ? "pardel-mpi" : "pardel";
-  if (job.is_first())
-    warn(fmt::format("{}: {} triangles miss a bound because of a limit or of rounding; '{} check' lists them",
-                     arguments.input.string(), made->missed, checker),
-         "pardel-mpi");
-  return ExitCode::goal_missed;
+  const bool is_quiet = arguments.quiet || is_standard_output(arguments.json);
+  print(*made, "refine", arguments.options.threads, arguments.outputs, is_quiet, job);
+  if (Status reported = write_report(*made, Stopwatch(), run); !reported) return reported.error();
+  return verdict(*made, run);
 }
 
 }  // namespace
 
 Command add_mesh(CLI::App& program, Job& job) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* app = program.add_subcommand("mesh", "Make a guaranteed-quality mesh of a domain, in pieces");
+  CLI::App* app = program.add_subcommand("mesh",
+                                         "Make a guaranteed-quality mesh of a domain, in pieces.\n"
+                                         "The interior is refined by default, as with 'pardel mesh --interior refine';"
+                                         " 'pardel mesh' has the default auto, which\n"
+                                         "makes another mesh");
   add_options(*app, *arguments);
-  return {app, [arguments, &job] { return run(*arguments, job); }};
+  return {app, [arguments, &job] { return run_mesh(*arguments, job); }};
 }
 
 }  // namespace pardel::mpi

@@ -133,12 +133,14 @@ Status check_outputs(const ExpectedOutputs& expected, const fs::path& input, con
     for (int number = ranks.rank(); number < expected.pieces; number += ranks.count())
       files.push_back({fmt::format("-o {}:", output.string()), piece_of(output, number), false});
   }
+  const std::size_t last_piece = files.size();
+  files.push_back({"--json", expected.json});
   const std::array inputs = {cli::NamedFile{{}, input}, cli::NamedFile{{}, goal.sizes, false},
                              cli::NamedFile{{}, goal.sources, false}};
   if (Status fine = cli::check_distinct(files, inputs); !fine) return fine;
-  for (const cli::NamedFile& piece : std::span(files).subspan(expected.outputs.size()))
+  for (const cli::NamedFile& piece : std::span(files).first(last_piece).subspan(expected.outputs.size()))
     if (Status fine = check_file(piece.file); !fine) return fine;
-  return Done{};
+  return ranks.rank() == 0 ? cli::check_folder(expected.json) : Status(Done{});
 }
 
 Status check_common_folders(std::span<const fs::path> outputs, Job& job) {

@@ -17,7 +17,8 @@ namespace pardel::mpi {
 
 struct ExpectedOutputs {
   std::span<const std::filesystem::path> outputs;
-  int pieces;  ///< of all ranks; rank r of R writes the pieces r, r + R, ...
+  int pieces;                    ///< of all ranks; rank r of R writes the pieces r, r + R, ...
+  std::filesystem::path json{};  ///< the report, which the first rank writes; empty: none
 };
 
 /// Errors: `usage` if a suffix is not .pvtu, .msh, .node or .ele, or if an output or a piece of this rank would replace

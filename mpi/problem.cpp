@@ -6,6 +6,7 @@
 #include "../cli/input.hpp"
 #include "../cli/refusal.hpp"
 #include "../core/support/open_file.hpp"
+#include "../core/support/stopwatch.hpp"
 
 namespace pardel::mpi {
 
@@ -17,17 +18,48 @@ Status check_inputs(std::span<const std::filesystem::path> inputs, const Ranks& 
   return Done{};
 }
 
-Result<Problem> read_problem(const std::filesystem::path& file, const GoalOptions& options, int threads) {
+namespace {
+
+/// Validates the domain, or repairs it.
+Result<MaybeRepaired, Refusal> valid_domain(Domain domain, const GoalOptions& options, const SizeField& sizes,
+                                            const HowToRead& how) {
+  if (!how.repair) {
+    Result<ValidPslg, Refusal> valid =
+        validated(std::move(domain), {.convex_hull = options.convex_hull, .threads = how.threads});
+    if (!valid) return valid.error();
+    return MaybeRepaired{std::move(*valid), std::nullopt, {}, {}};
+  }
+  Result<MaybeRepaired, Refusal> repaired =
+      validated_or_repaired(std::move(domain), {.snap = how.snap, .convex_hull = options.convex_hull}, how.threads);
+  if (!repaired) return repaired;
+  if (Status fits = check_sizes_of(*repaired, sizes); !fits) return Refusal(fits.error());
+  return repaired;
+}
+
+}  // namespace
+
+Result<Problem, Refusal> read_problem(const std::filesystem::path& file, const GoalOptions& options,
+                                      const HowToRead& how) {
   Result<Domain> domain = read_domain(file);
-  if (!domain) return domain.error();
+  if (!domain) return Refusal(domain.error());
   const Result<GivenSizes> sizes = read_given_sizes(options);
-  if (!sizes) return sizes.error();
-  Result<ValidPslg, Refusal> valid =
-      validated(std::move(*domain), {.convex_hull = options.convex_hull, .threads = threads});
-  if (!valid) return valid.error().error;
-  Result<Goal> goal = make_goal(options, *sizes, *valid);
-  if (!goal) return goal.error();
-  return Problem{std::move(*valid), std::move(*goal)};
+  if (!sizes) return Refusal(sizes.error());
+  const Stopwatch watch;
+  Result<MaybeRepaired, Refusal> valid = valid_domain(std::move(*domain), options, sizes->field, how);
+  if (!valid) return valid.error();
+  const double validate_seconds = watch.seconds();
+  Result<Goal> goal = make_goal(options, *sizes, valid->domain);
+  if (!goal) return Refusal(goal.error());
+  goal->convex_hull = goal->convex_hull && valid->domain.convex_hull();  // a repair may draw the hull as an outline
+  return Problem{std::move(valid->domain), std::move(*goal), std::move(valid->log), validate_seconds};
+}
+
+std::optional<Refusal> common_refusal(const Result<Problem, Refusal>& problem, Job& job) {
+  const Status all = job.agree(problem ? Status(Done{}) : problem.error().error);
+  if (all) return std::nullopt;
+  Refusal refusal = problem ? Refusal(all.error()) : problem.error();
+  refusal.error = all.error();
+  return refusal;
 }
 
 }  // namespace pardel::mpi

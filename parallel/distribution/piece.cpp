@@ -5,6 +5,7 @@
 #include <bit>
 #include <utility>
 
+#include "../../core/support/exchange_lists.hpp"
 #include "../../core/support/point_order.hpp"
 #include "../../core/support/share_of_rank.hpp"
 #include "../concurrency/parallel_arrays.hpp"
@@ -41,6 +42,7 @@ class PieceMaker {
         data_(vertex_data(domain, distribution, members_)) {}
 
   [[nodiscard]] MeshPiece make(std::vector<Exemption>& exempt) {
+    name_apexes(exempt);
     list_edges();
     cut_at_border();
     compact_all(exempt);
@@ -54,6 +56,44 @@ class PieceMaker {
   }
 
  private:
+  /// Makes the apexes points of the input. One that this rank does not know as a point of the input, although it has
+  /// the vertex, is known to the rank that has read it. Collective.
+  void name_apexes(std::vector<Exemption>& exempt) const {
+    const auto is_unknown = [&](const Exemption& e) {
+      return e.apex != no_index && e.apex >= distribution_.known_inputs();
+    };
+    std::vector<Point> asked;
+    for (const Exemption& e : exempt)
+      if (is_unknown(e)) asked.push_back(t_.points[e.apex]);
+    std::ranges::sort(asked, lexicographically_less);
+    asked.erase(std::ranges::unique(asked).begin(), asked.end());
+    const std::vector<std::uint64_t> numbers = numbers_of(asked);
+    for (Exemption& e : exempt) {
+      if (is_unknown(e))
+        e.apex = static_cast<Index>(
+            numbers[std::ranges::lower_bound(asked, t_.points[e.apex], lexicographically_less) - asked.begin()]);
+      else if (e.apex != no_index)
+        e.apex = static_cast<Index>(distribution_.input_point(e.apex).number);
+    }
+  }
+
+  /// The numbers of points of the input in the input; no_index if no rank knows the point. Collective.
+  [[nodiscard]] std::vector<std::uint64_t> numbers_of(const std::vector<Point>& points) const {
+    const std::vector<std::vector<Point>> questions = lists_of_all(points, ranks_);
+    std::vector<std::vector<std::uint64_t>> answers;
+    for (const std::vector<Point>& asked : questions) answers.emplace_back(asked.size(), no_index);
+    for (std::size_t rank = 0; rank < questions.size(); ++rank)
+      for (VertexId v = 0; v < distribution_.known_inputs() && !questions[rank].empty(); ++v) {
+        const auto place = std::ranges::lower_bound(questions[rank], t_.points[v], lexicographically_less);
+        if (place != questions[rank].end() && *place == t_.points[v])
+          answers[rank][place - questions[rank].begin()] = distribution_.input_point(v).number;
+      }
+    std::vector<std::uint64_t> least(points.size(), no_index);
+    for (const std::vector<std::uint64_t>& of_rank : exchange_lists(std::move(answers), ranks_))
+      for (std::size_t i = 0; i < least.size(); ++i) least[i] = std::min(least[i], of_rank[i]);
+    return least;
+  }
+
   void list_edges() {
     for (const EdgeRef e : members_.constrained_sides())
       if (members_.triangles().uses(e.triangle()) && lists_edge(t_, e))

@@ -9,7 +9,7 @@
 namespace pardel::engine {
 
 /// Makes the piece of this rank after the refinement, in the storage of the triangulation. Collective. `exempt`:
-/// triangles of the piece; their indices become those in the piece.
+/// triangles of the piece; their indices become those in the piece, and their apexes points of the input.
 [[nodiscard]] MeshPiece make_piece(DomainTriangulation& domain, const Distribution& distribution, InputData input,
                                    std::vector<Exemption>& exempt, const Threads& threads);
 

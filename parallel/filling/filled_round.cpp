@@ -45,6 +45,7 @@ Status FilledRound::refine(const InputData& input, ProgressMonitor& progress) {
 
 void FilledRound::write_report(const Threads& threads, Report& report) {
   engine::write_report(domain_, criteria_, options_, std::move(counts_), threads, report);
+  name_apexes(domain_, report);
   report.laid = filling_.triangles();
 }
 

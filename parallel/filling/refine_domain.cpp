@@ -40,6 +40,9 @@ void write_report(DomainTriangulation& domain, const Criteria& criteria, const O
   if (counts.left_alone)
     report.exempt = exemptions(domain.triangulation, domain.segments, criteria, options, counts.budget_reached, threads,
                                reports, undecided);
+}
+
+void name_apexes(const DomainTriangulation& domain, Report& report) {
   for (Exemption& e : report.exempt)
     if (e.apex < domain.input_of_vertex.size()) e.apex = domain.input_of_vertex[e.apex];
 }
@@ -53,6 +56,7 @@ Result<Mesh> refine_domain(DomainTriangulation domain, const Criteria& criteria,
                                                  watcher(domain, options, convert));
   if (!counts) return counts.error();
   write_report(domain, criteria, options, std::move(*counts), progress.threads(), report);
+  name_apexes(domain, report);
   return to_mesh(std::move(domain), std::move(input), progress.threads());
 }
 

@@ -36,10 +36,14 @@ using ToMesh = std::function<Result<Mesh>(DomainTriangulation&&)>;
 [[nodiscard]] Watcher watcher(const DomainTriangulation& domain, const Options& options, ToMesh to_mesh);
 
 /// Writes to the report what a refinement has done, and which triangles it left. `options`: those of the refinement.
-/// `reports`: if given, only triangles for which it is true are reported. `undecided`: see exemptions().
+/// `reports`: if given, only triangles for which it is true are reported. `undecided`: see exemptions(). The apexes of
+/// the exemptions are vertices of the triangulation.
 void write_report(DomainTriangulation& domain, const Criteria& criteria, const Options& options, RefineCounts&& counts,
                   const Threads& threads, Report& report, const std::function<bool(TriangleId)>& reports = {},
                   std::vector<EdgeRef>* undecided = nullptr);
+
+/// Makes the apexes of the exemptions points of the input.
+void name_apexes(const DomainTriangulation& domain, Report& report);
 
 /// Refines the domain, and makes its mesh. Errors: as from refine_by_sweeps().
 [[nodiscard]] Result<Mesh> refine_domain(DomainTriangulation domain, const Criteria& criteria, InputData input,

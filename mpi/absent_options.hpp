@@ -1,0 +1,23 @@
+// The options of pardel that the same command of pardel-mpi does not have.
+#pragma once
+
+#include <array>
+
+#include "../cli/usage_message.hpp"
+
+namespace pardel::mpi {
+
+inline constexpr std::array<cli::AbsentOption, 6> absent_options = {{
+    {"mesh", "--refine", "ranks begin with a domain, not with a mesh; use 'pardel mesh --refine'"},
+    {"mesh", "--max-vertices",
+     "ranks insert vertices at the same time, so the mesh at a limit would depend on their number; limit the memory of "
+     "each rank with --max-memory, or use 'pardel mesh --max-vertices'"},
+    {"mesh", "--paranoid",
+     "no rank has the whole mesh that is checked after a sweep; use --check, or 'pardel mesh --paranoid'"},
+    {"mesh", "--format",
+     "the pieces of a mesh do not fit into standard output; write OUT.pvtu, and then use 'pardel convert'"},
+    {"mesh", "--progress", "mpirun passes on the lines of all ranks, and a bar is not a line; there is no substitute"},
+    {"check", "--progress", "mpirun passes on the lines of all ranks, and a bar is not a line; there is no substitute"},
+}};
+
+}  // namespace pardel::mpi

@@ -1,0 +1,232 @@
+// Whoever moves from one process to ranks finds the same options and the same report, or a reason why not.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "../../core/formats.hpp"
+#include "../../properties/domains/domains.hpp"
+#include "../docs/documents.hpp"
+#include "../docs/json_schema.hpp"
+#include "mpi_workshop.hpp"
+
+namespace pardel {
+namespace {
+
+using Json = nlohmann::json;
+using OptionNames = std::set<std::string>;
+using testing::Files;
+using testing::holds;
+using testing::Ran;
+
+class BothPrograms : public testing::MpiWorkshop {
+ protected:
+  BothPrograms() {
+    EXPECT_TRUE(write_poly(domains::pipe(), folder_ / "work" / "pipe.poly"));
+    EXPECT_TRUE(write_poly(domains::wedge(50, 1.8), folder_ / "work" / "wedge.poly"));
+    write("crossing.poly",
+          "6 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n5 0.2 0.5\n6 1.2 0.5\n5 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n5 5 6\n0\n");
+  }
+  Ran on_ranks(int ranks, const std::vector<std::string>& arguments) const {
+    return MpiWorkshop::on_ranks(ranks, PARDEL_MPI_PROGRAM, arguments);
+  }
+  Ran run_one(const std::string& program, const std::vector<std::string>& arguments) const {
+    return program == "pardel" ? pardel(arguments) : on_ranks(1, arguments);
+  }
+
+  /// The long options that the help of a command lists.
+  OptionNames options_in_help(const std::string& program, const std::string& command) const {
+    const std::string help = run_one(program, {command, "--help"}).out;
+    const std::regex option("(?:^|\n) +(?:-[a-zA-Z],)?(--[a-z-]+)");
+    OptionNames found;
+    for (std::sregex_iterator match(help.begin(), help.end(), option), end; match != end; ++match)
+      found.insert((*match)[1]);
+    return found;
+  }
+  /// The report of this command, on these ranks or, for 0, of one process.
+  Json report(int ranks, std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), "mesh");
+    arguments.insert(arguments.end(), {"-o", ranks == 0 ? "out.vtu" : "out.pvtu", "--json", "report.json"});
+    const Ran ran = ranks == 0 ? pardel(arguments) : on_ranks(ranks, arguments);
+    EXPECT_EQ(ran.exit_code, 0) << ran;
+    return Json::parse(read("report.json"));
+  }
+};
+
+/// The table of docs/distributed.md for a command: for each program, the options that it has.
+std::map<std::string, OptionNames> options_in_document(const std::string& command) {
+  std::map<std::string, OptionNames> found;
+  bool is_in_table = false;
+  for (const std::string& line : testing::lines_of(testing::read_document("docs/distributed.md"))) {
+    if (line.starts_with("| options |")) is_in_table = line.find("`pardel " + command + "`") != std::string::npos;
+    if (!line.starts_with("| `--") || !is_in_table) continue;
+    static const std::regex row(R"(\| (.*?) \| (yes|no) \| (yes|no) \|.*)"), option("`(--[a-z-]+)`");
+    std::smatch cells;
+    EXPECT_TRUE(std::regex_match(line, cells, row)) << line;
+    const std::string names = cells[1];
+    for (std::sregex_iterator match(names.begin(), names.end(), option), end; match != end; ++match) {
+      if (cells[2] == "yes") found["pardel"].insert((*match)[1]);
+      if (cells[3] == "yes") found["pardel-mpi"].insert((*match)[1]);
+    }
+  }
+  return found;
+}
+
+TEST_F(BothPrograms, have_the_options_that_the_table_of_the_manual_lists) {
+  for (const std::string command : {"mesh", "check"}) {
+    const auto listed = options_in_document(command);
+    for (const std::string program : {"pardel", "pardel-mpi"})
+      EXPECT_EQ(options_in_help(program, command), listed.at(program)) << program << ' ' << command;
+  }
+}
+
+TEST_F(BothPrograms, say_why_they_lack_an_option_of_the_other_one) {
+  for (const std::string command : {"mesh", "check"})
+    for (const auto& [lacks, has] : {std::pair{"pardel", "pardel-mpi"}, {"pardel-mpi", "pardel"}}) {
+      const OptionNames absent_from = options_in_help(lacks, command);
+      for (const std::string& option : options_in_help(has, command)) {
+        if (absent_from.contains(option)) continue;
+        const Ran ran = run_one(lacks, {command, option, "1", "pipe.poly"});
+        EXPECT_EQ(ran.exit_code, 2) << ran;
+        EXPECT_TRUE(holds(ran.err, {std::string(lacks) + " " + command + ": there is no option '" + option + "': "}));
+      }
+    }
+}
+
+TEST_F(BothPrograms, say_at_the_top_of_the_help_that_their_default_interiors_differ) {
+  const std::string help = on_ranks(1, {"mesh", "--help"}).out;
+  const std::size_t said = help.find("The interior is refined by default");
+  EXPECT_LT(said, help.find("Usage:"));
+}
+
+/// Leaves out the values that depend on time, on memory, and on the order of triangles. (It decides which of several
+/// triangles with the same extreme angle is listed, and how often the checker computes exactly.)
+void forget_what_may_differ(Json& json) {
+  static const std::set<std::string> may_differ = {"seconds", "peak_rss_bytes", "triangle", "where", "decided_exactly"};
+  if (json.is_object())
+    for (auto& [key, value] : json.items())
+      if (may_differ.contains(key) && !value.is_object()) value = nullptr;
+  if (json.is_object() && json.contains("read") && json.contains("total")) json = json.size();  // seconds by step
+  if (json.is_object() && json.contains("thread_of_cell")) json["thread_of_cell"] = json["thread_of_cell"].size();
+  for (const char* list : {"exemptions", "justified"})
+    if (json.is_object() && json.contains(list)) {
+      for (Json& entry : json[list]) forget_what_may_differ(entry);
+      std::sort(json[list].begin(), json[list].end());
+    }
+  if (json.is_structured())
+    for (Json& member : json) forget_what_may_differ(member);
+}
+
+void expect_same(Json one, Json ranks) {
+  ranks.erase("ranks");
+  if (ranks.contains("certificate")) ranks.at("certificate").erase("ranks");
+  forget_what_may_differ(one);
+  forget_what_may_differ(ranks);
+  EXPECT_EQ(Json::diff(one, ranks), Json::array());
+}
+
+TEST_F(BothPrograms, write_the_same_report_from_one_process_and_one_rank) {
+  const std::vector<std::vector<std::string>> runs = {
+      {"pipe.poly", "--interior", "refine", "--max-area", "1e-4", "--threads", "2", "--check"},
+      {"pipe.poly", "--interior", "fill", "--max-area", "1e-3", "--threads", "1"},
+      {"wedge.poly", "--interior", "refine", "--min-angle", "30", "--threads", "1", "--check"},
+      {"crossing.poly", "--interior", "refine", "--repair", "--threads", "1"}};
+  const Json schema = Json::parse(std::ifstream(PARDEL_SOURCE "/docs/report.schema.json"));
+  for (const std::vector<std::string>& arguments : runs) {
+    const Json ranks = report(1, arguments);
+    EXPECT_EQ(testing::schema_violations(schema, ranks), std::vector<std::string>());
+    EXPECT_EQ(ranks.at("ranks").at("count"), 1);
+    expect_same(report(0, arguments), ranks);
+  }
+}
+
+TEST_F(BothPrograms, write_the_same_mesh_into_reports_of_several_ranks) {
+  const std::vector<std::string> arguments = {"wedge.poly", "--interior", "refine",  "--min-angle",          "30",
+                                              "--max-area", "5e-4",       "--check", "--triangles-per-tile", "500"};
+  const Json one = report(0, arguments);
+  const auto with_reading = [&](const char* reading) {
+    std::vector<std::string> all = arguments;
+    all.insert(all.end(), {"--read", reading});
+    return report(3, all);
+  };
+  const Json schema = Json::parse(std::ifstream(PARDEL_SOURCE "/docs/report.schema.json"));
+  for (const char* reading : {"whole", "parts"}) {
+    const Json ranks = with_reading(reading);
+    EXPECT_EQ(testing::schema_violations(schema, ranks), std::vector<std::string>());
+    EXPECT_EQ(ranks.at("ranks").at("input"), reading);
+    EXPECT_EQ(ranks.at("ranks").at("triangles").size(), 3U);
+    EXPECT_EQ(ranks.at("gaps").is_null(), std::string(reading) == "parts");
+    for (const char* key : {"digest", "input", "goal", "goal_met"}) EXPECT_EQ(ranks.at(key), one.at(key)) << key;
+    EXPECT_EQ(ranks.at("mesh").at("triangles"), one.at("mesh").at("triangles"));
+    EXPECT_EQ(ranks.at("refine").at("exempt"), one.at("refine").at("exempt"));
+    EXPECT_TRUE(ranks.at("certificate").at("valid").get<bool>());
+    // The causes of exemptions are points of the input, also if no rank has all of them.
+    Json expected = {{"x", one.at("refine").at("exemptions")}}, found = {{"x", ranks.at("refine").at("exemptions")}};
+    for (Json* list : {&expected, &found}) {
+      for (Json& entry : list->at("x")) entry.erase("triangle");
+      std::sort(list->at("x").begin(), list->at("x").end());
+    }
+    EXPECT_FALSE(expected.at("x").empty());
+    EXPECT_EQ(expected, found);
+  }
+}
+
+TEST_F(BothPrograms, repair_a_domain_that_each_rank_reads_whole) {
+  const Ran ran = on_ranks(2, {"mesh", "crossing.poly", "-o", "out.pvtu", "--repair", "--json", "ranks.json"});
+  EXPECT_EQ(ran.exit_code, 0) << ran;
+  EXPECT_TRUE(holds(ran.err, {"pardel-mpi: crossing.poly: repaired: "})) << ran;
+  const Json one = report(0, {"crossing.poly", "--repair", "--interior", "refine"});
+  EXPECT_EQ(Json::parse(read("ranks.json")).at("digest"), one.at("digest"));
+  const Ran parts = on_ranks(2, {"mesh", "crossing.poly", "-o", "out.pvtu", "--repair", "--read", "parts"});
+  EXPECT_EQ(parts.exit_code, 2) << parts;
+  EXPECT_TRUE(holds(parts.err, {"--repair needs the whole input", "pardel doctor --repair"})) << parts;
+}
+
+TEST_F(BothPrograms, write_why_a_domain_is_refused) {
+  EXPECT_EQ(pardel({"mesh", "crossing.poly", "-o", "out.vtu", "--json", "one.json"}).exit_code, 3);
+  const Json one = Json::parse(read("one.json"));
+  for (const char* reading : {"whole", "parts"}) {
+    const Ran ran = on_ranks(2, {"mesh", "crossing.poly", "-o", "out.pvtu", "--read", reading, "--json", "ranks.json"});
+    EXPECT_EQ(ran.exit_code, 3) << ran;
+    EXPECT_EQ(Json::parse(read("ranks.json")), one);
+    EXPECT_FALSE(exists("out.pvtu"));
+  }
+}
+
+TEST_F(BothPrograms, say_that_a_mesh_that_misses_bounds_is_right_otherwise) {
+  const std::vector<std::string> arguments = {"mesh",       "pipe.poly", "--max-area", "1e-3",
+                                              "--min-edge", "0.1",       "--check"};
+  for (const int ranks : {0, 2}) {
+    std::vector<std::string> all = arguments;
+    all.insert(all.end(), {"-o", ranks == 0 ? "out.vtu" : "out.pvtu"});
+    const Ran ran = ranks == 0 ? pardel(all) : on_ranks(ranks, all);
+    EXPECT_EQ(ran.exit_code, 4) << ran;
+    EXPECT_TRUE(holds(ran.err, {"pipe.poly: the check found missed bounds only"})) << ran;
+    EXPECT_TRUE(holds(ran.out, {"check   NOT VALID"})) << ran;
+  }
+}
+
+TEST_F(BothPrograms, keep_to_a_limit_on_memory) {
+  if (testing::sanitized) GTEST_SKIP() << "a sanitizer's shadow memory alone is larger than the limit";
+  const Ran ran = on_ranks(2, {"mesh", "pipe.poly", "-o", "out.pvtu", "--max-area", "1e-6", "--max-memory", "0.03"});
+  EXPECT_EQ(ran.exit_code, 5) << ran;
+  EXPECT_TRUE(holds(ran.err, {"pardel-mpi: rank ", "memory"})) << ran;
+  EXPECT_FALSE(exists("out.pvtu"));
+}
+
+TEST_F(BothPrograms, print_only_the_report_where_standard_output_is_its_file) {
+  const Ran ran = on_ranks(2, {"mesh", "pipe.poly", "-o", "out.pvtu", "--max-area", "1e-3", "--json", "-"});
+  EXPECT_EQ(ran.exit_code, 0) << ran;
+  EXPECT_EQ(Json::parse(ran.out).at("schema"), "pardel.report/1");
+  const Ran mixed = on_ranks(2, {"mesh", "pipe.poly", "-o", "out.pvtu", "--json", "out_0001.vtu"});
+  EXPECT_EQ(mixed.exit_code, 2) << mixed;
+  EXPECT_TRUE(holds(mixed.err, {"--json out_0001.vtu"})) << mixed;
+}
+
+}  // namespace
+}  // namespace pardel
