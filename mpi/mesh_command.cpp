@@ -367,6 +367,7 @@ Status write_report(const Made& made, const Stopwatch& joining, Run& run) {
   MeshRun& report = run.report;
   report.name = run.arguments.input.string();
   report.sizes = run.arguments.goal.sizes;
+  report.sources = run.arguments.goal.sources;
   report.options = run.arguments.options;
   report.outputs = run.arguments.outputs;
   run.parts.join(made.divided, report, run.job.ranks());
