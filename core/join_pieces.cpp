@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "join_fields.hpp"
 #include "neighbours.hpp"
 #include "support/same_attribute.hpp"
 #include "support/shortest.hpp"
@@ -35,6 +36,10 @@ class Join {
     if (missing != is_known_.end())
       return invalid("no piece has the point with the number " + std::to_string(missing - is_known_.begin()));
     rebuild_neighbours(mesh_.triangles, mesh_.points.size());
+    mesh_.fields = join_fields(pieces_, mesh_.points.size());
+    mesh_.names = join_names(pieces_);
+    for (const NumberedMesh* piece : pieces_)
+      for (const std::string& thing : piece->mesh.left_out.things()) mesh_.left_out.add(thing);
     return std::move(mesh_);
   }
 

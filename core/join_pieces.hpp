@@ -18,7 +18,8 @@ struct NumberedMesh {
 
 /// The whole mesh: its points in the order of their numbers, the triangles of the first piece first. Points at the
 /// border are in several pieces, triangles and constrained edges in one. The pieces agree on the meaning of
-/// Mesh::region, as those of mesh(domain, goal, options, ranks) do. The neighbours are computed.
+/// Mesh::region, as those of mesh(domain, goal, options, ranks) do. The neighbours are computed. Fields and names are
+/// joined as join_fields() and join_names() say.
 ///
 /// Errors: invalid_input if a number is missing, if different points have one number, or one point has different
 /// markers, origins or attributes, or if some pieces have regions or attributes of points and others have none;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "array.hpp"
+#include "field.hpp"
 #include "pslg.hpp"
 
 namespace pardel {
@@ -50,6 +51,9 @@ struct Mesh {
   Array<double> point_attributes;  ///< point by point: points.size() * attributes_per_point numbers
   Array<int> point_markers;        ///< empty, or one per point
   FirstId first_id{};              ///< the number of the first point in the file of the mesh
+  std::vector<Field> fields;       ///< their values are one per point or triangle and component
+  std::vector<GroupName> names;    ///< at most one per marker and per region
+  LeftOut left_out{};              ///< of the file of the mesh
 
   friend bool operator==(const Mesh&, const Mesh&) = default;
 };

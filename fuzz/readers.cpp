@@ -75,6 +75,11 @@ void check_ranges(const Mesh& mesh) {
   for (const Point p : mesh.points)
     if (!std::isfinite(p.x) || !std::isfinite(p.y)) fail("a coordinate is not finite");
   if (mesh.point_attributes.size() != mesh.points.size() * mesh.attributes_per_point) fail("attributes are missing");
+  for (const Field& field : mesh.fields)
+    if (field.components == 0 ||
+        field.values.size() !=
+            field.components * (field.place == Field::Place::points ? mesh.points.size() : mesh.triangles.size()))
+      fail("values of a field are missing");
   if (!mesh.region.empty() && mesh.region.size() != mesh.triangles.size()) fail("regions are missing");
   if (!mesh.point_markers.empty() && mesh.point_markers.size() != mesh.points.size()) fail("markers are missing");
 }
@@ -83,8 +88,29 @@ using Write = std::function<Status(const Mesh&, const fs::path&)>;
 
 /// What a format keeps of a mesh beside points, triangles and constrained edges.
 struct Keeps {
-  bool regions = true, data_of_points = true;
+  bool regions = true, data_of_points = true, fields = false;
 };
+
+/// The fields of a place, in their order.
+std::vector<const Field*> fields_of(const Mesh& mesh, Field::Place place) {
+  std::vector<const Field*> fields;
+  for (const Field& field : mesh.fields)
+    if (field.place == place) fields.push_back(&field);
+  return fields;
+}
+
+/// A .msh changes the order of triangles, and a .vtu does not keep all names of fields and no times.
+void require_fields(const Mesh& once, const Mesh& mesh, const fs::path& file) {
+  if (!std::ranges::is_permutation(once.names, mesh.names)) fail_at(file, "other names are read");
+  for (const auto place : {Field::Place::points, Field::Place::triangles}) {
+    const auto read = fields_of(once, place), written = fields_of(mesh, place);
+    const auto same = [&](const Field* f, const Field* g) {
+      return f->components == g->components && f->values.size() == g->values.size() &&
+             (place == Field::Place::triangles || std::ranges::equal(f->values, g->values, is_same_attribute));
+    };
+    if (!std::ranges::equal(read, written, same)) fail_at(file, "other fields are read");
+  }
+}
 
 /// The digest does not depend on the attributes and the markers of points.
 void require_data_of_points(const Mesh& once, const Mesh& mesh, const fs::path& file) {
@@ -98,6 +124,7 @@ void require_data_of_points(const Mesh& once, const Mesh& mesh, const fs::path& 
 void require_same(const Mesh& read, const Mesh& mesh, Keeps keeps, const fs::path& file) {
   if (read.points != mesh.points) fail_at(file, "other points are read");
   if (keeps.data_of_points) require_data_of_points(read, mesh, file);
+  if (keeps.fields) require_fields(read, mesh, file);
   if (keeps.regions && digest(read) != digest(mesh)) fail_at(file, "the mesh that is read has another digest");
   if (!keeps.regions && read.triangles != mesh.triangles) fail_at(file, "other triangles are read");
   if (!keeps.regions && edges_of(read) != edges_of(mesh)) fail_at(file, "other constrained edges are read");
@@ -132,12 +159,13 @@ void round_trip(const Mesh& mesh, const Scratch& scratch) {
   check_ranges(mesh);
   round_trip_in_pieces(mesh, scratch);
   using Encoding = MshEncoding;
-  constexpr Keeps no_data_of_points{.data_of_points = false};
+  constexpr Keeps no_data_of_points{.data_of_points = false, .fields = true};
   round_trip(mesh, scratch / "text.msh", no_data_of_points,
              [](const Mesh& m, const fs::path& f) { return write_msh(m, f, Encoding::ascii); });
   round_trip(mesh, scratch / "binary.msh", no_data_of_points,
              [](const Mesh& m, const fs::path& f) { return write_msh(m, f, Encoding::binary); });
-  round_trip(mesh, scratch / "again.vtu", {}, [](const Mesh& m, const fs::path& f) { return write_vtu(m, f); });
+  round_trip(mesh, scratch / "again.vtu", {.fields = true},
+             [](const Mesh& m, const fs::path& f) { return write_vtu(m, f); });
   round_trip(mesh, scratch / "again.off", {.regions = false, .data_of_points = false},
              [](const Mesh& m, const fs::path& f) { return write_off(m, f); });
   round_trip(mesh, scratch / "again.ele", {}, [](const Mesh& m, const fs::path& f) {
@@ -211,7 +239,7 @@ void require_same(const Content& read, const KnownFile& known, const fs::path& f
   if (const auto* mesh = std::get_if<Mesh>(&read)) {
     const auto& expected = std::get<Mesh>(known.content);
     if (known.keeps_order && *mesh != expected) fail_at(file, "another mesh is read");
-    require_same(*mesh, expected, {}, file);
+    require_same(*mesh, expected, {.fields = true}, file);
   } else if (const auto* raster = std::get_if<Raster>(&read)) {
     if (!same(*raster, std::get<Raster>(known.content))) fail_at(file, "another raster is read");
   } else if (const auto* pslg = std::get_if<Pslg>(&read)) {

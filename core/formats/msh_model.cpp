@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 namespace pardel::files {
@@ -9,11 +10,22 @@ namespace {
 
 constexpr double no_attribute = std::numeric_limits<double>::quiet_NaN();
 
+/// The names of markers or of regions.
+using Names = std::map<int, std::string>;
+
+Names names_of(const Mesh& mesh, GroupName::Of of) {
+  Names names;
+  for (const GroupName& name : mesh.names)
+    if (name.of == of) names[name.value] = name.name;
+  return names;
+}
+
 /// Makes one group per value. The tag of a group is the value itself if that is a positive int, else the smallest free
-/// number.
-std::vector<MshGroup> groups_of(const std::vector<double>& values, const std::string& prefix) {
+/// number. The names that are used are removed from `names`.
+std::vector<MshGroup> groups_of(const std::vector<double>& values, const std::string& prefix, Names& names) {
   const auto is_tag = [](double v) { return v >= 1 && v <= std::numeric_limits<int>::max() && v == std::floor(v); };
   std::set<int> taken;
+  for (const auto& [tag, name] : names) taken.insert(tag);
   for (const double value : values) {
     if (is_tag(value)) taken.insert(static_cast<int>(value));
   }
@@ -24,6 +36,7 @@ std::vector<MshGroup> groups_of(const std::vector<double>& values, const std::st
     group.name = std::isnan(value) ? "domain" : std::string((Bytes() << prefix << ' ' << value).view());
     if (is_tag(value)) {
       group.tag = static_cast<int>(value);
+      if (const auto named = names.extract(group.tag); !named.empty()) group.name = named.mapped();
     } else {
       while (!taken.insert(free).second) ++free;
       group.tag = free;
@@ -97,13 +110,16 @@ MshValues values_of(const Mesh& mesh) {
 MshModel msh_model(const Mesh& mesh, MshValues values) {
   if (values.attributes.empty()) values.attributes.push_back(no_attribute);  // each point needs an entity
   MshModel model;
-  model.curves = groups_of(values.markers, "marker");
+  Names markers = names_of(mesh, GroupName::Of::marker), regions = names_of(mesh, GroupName::Of::region);
+  model.curves = groups_of(values.markers, "marker", markers);
   model.lines = gather(mesh.constrained_edges.size(), model.curves.size(),
                        [&](std::size_t i) { return place_of(values.markers, mesh.constrained_edges[i].marker); });
   std::vector<std::size_t> surface_of_region;
   for (const double attribute : attributes_of_regions(mesh))
     surface_of_region.push_back(place_of(values.attributes, attribute));
-  model.surfaces = groups_of(values.attributes, "region");
+  model.surfaces = groups_of(values.attributes, "region", regions);
+  for (const auto& [tag, name] : markers) model.empty_groups.push_back({GroupName::Of::marker, tag, name});
+  for (const auto& [tag, name] : regions) model.empty_groups.push_back({GroupName::Of::region, tag, name});
   model.triangles = gather(mesh.triangles.size(), model.surfaces.size(),
                            [&](std::size_t t) { return surface_of_region[region_of(mesh, t)]; });
 
@@ -127,9 +143,11 @@ MshModel msh_model(const Mesh& mesh, MshValues values) {
 
 void write_names(MshRows& out, const MshModel& model) {
   Bytes to;
-  to << "$PhysicalNames\n" << model.curves.size() + model.surfaces.size() << '\n';
+  to << "$PhysicalNames\n" << model.curves.size() + model.surfaces.size() + model.empty_groups.size() << '\n';
   for (const MshGroup& g : model.curves) to << "1 " << g.tag << " \"" << g.name << "\"\n";
   for (const MshGroup& g : model.surfaces) to << "2 " << g.tag << " \"" << g.name << "\"\n";
+  for (const GroupName& g : model.empty_groups)
+    to << (g.of == GroupName::Of::marker ? "1 " : "2 ") << g.value << " \"" << g.name << "\"\n";
   out.text(to << "$EndPhysicalNames\n");
 }
 

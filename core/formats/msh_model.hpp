@@ -54,8 +54,9 @@ struct MshValues {
 struct MshModel {
   std::vector<MshGroup> curves;
   std::vector<MshGroup> surfaces;
-  Gathered lines;      ///< the constrained edges, grouped by curve
-  Gathered triangles;  ///< grouped by surface
+  std::vector<GroupName> empty_groups;  ///< names of markers and regions that nothing has
+  Gathered lines;                       ///< the constrained edges, grouped by curve
+  Gathered triangles;                   ///< grouped by surface
   /// Per point: the number of its curve or, beyond the curves, of its surface. A point belongs to the first curve
   /// through it, else to a surface around it, else to the first surface.
   Array<Index> entity_of_point;

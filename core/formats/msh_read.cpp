@@ -1,15 +1,17 @@
 // Reads Gmsh's MSH: versions 4.1 and 2.x, in ASCII and binary. Triangles become the mesh, lines become its
 // constrained edges. A physical group named `region X` or `marker N` gives the attribute X or the marker N; a group
-// `domain` means no region; any other group gives its tag. Vertices are in the order of their tags; z is ignored. Of a
-// partitioned mesh, ghost elements and the lines on interfaces of partitions are left out.
+// `domain` means no region; any other group gives its tag, and its name is kept. Vertices are in the order of their
+// tags; z is ignored. $NodeData and $ElementData are fields. Of a partitioned mesh, ghost elements and the lines on
+// interfaces of partitions are left out.
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <set>
 
 #include "../neighbours.hpp"
+#include "group_names.hpp"
 #include "mesh_readers.hpp"
+#include "msh_fields.hpp"
 #include "msh_source.hpp"
 #include "triangle_sections.hpp"
 
@@ -78,14 +80,32 @@ class MshReader {
     if (section == "$PhysicalNames") return read_names();
     if (section == "$Entities" && version_ > 4) return read_entities();
     if (section == "$PartitionedEntities" && version_ > 4) return read_partitioned_entities();
-    if (section == "$Nodes") return version_ > 4 ? read_nodes() : read_nodes_2();
+    if (section == "$Nodes") return version_ > 4 ? read_nodes() : read_nodes_2(false);
+    if (section == "$ParametricNodes" && version_ < 4) return read_nodes_2(true);
     if (section == "$Elements") return version_ > 4 ? read_elements() : read_elements_2();
-    if (section == "$NodeData" && has_nodes_ && mesh_.point_attributes.empty()) return read_node_data();
+    if (section == "$NodeData" && has_nodes_)
+      return read_field(section,
+                        {Field::Place::points, nodes_.size(), [&](std::size_t tag) { return nodes_.find(tag); }});
+    if (section == "$ElementData" && has_elements_)
+      return read_field(section, {Field::Place::triangles, mesh_.triangles.size(),
+                                  [&](std::size_t tag) { return triangles_.find(tag); }});
     if (!section.starts_with('$')) return in_.fail("expected a section, found " + in_quotes(section));
+    if (!is_of_mesh(section)) mesh_.left_out.add("the section " + std::string(section));
     const std::string end = "$End" + std::string(section.substr(1));
     const std::size_t at = in_.rest().find("\n" + end);
     if (at == std::string_view::npos) return in_.fail("the section " + in_quotes(section) + " does not end");
     in_.skip(at + 1 + end.size());
+  }
+
+  /// Sections that are not read, and whose content the mesh has anyway, or does not need.
+  static bool is_of_mesh(std::string_view section) {
+    return section == "$GhostElements" || section == "$Entities" || section == "$PartitionedEntities";
+  }
+
+  void read_field(std::string_view section, const MshPlaces& places) {
+    if (std::optional<Field> field = read_msh_field(in_, source_, places, mesh_.left_out); field)
+      mesh_.fields.push_back(std::move(*field));
+    expect_end("$End" + std::string(section.substr(1)));
   }
 
   void expect_end(std::string_view name) {
@@ -104,26 +124,18 @@ class MshReader {
       const std::int64_t tag = in_.integer("a physical tag", -any_marker_high, any_marker_high);
       std::string_view name = in_.rest_of_line();
       if (name.size() >= 2 && name.front() == '"' && name.back() == '"') name = name.substr(1, name.size() - 2);
-      value_[{dimension, tag}] = value_of(dimension, tag, name);
+      note_group(dimension, tag, name);
     }
     expect_end("$EndPhysicalNames");
   }
 
-  /// The attribute of a region or the marker of an edge that is in the physical group.
-  static double value_of(std::int64_t dimension, std::int64_t tag, std::string_view name) {
-    if (dimension == 2 && name == "domain") return no_region;
-    const std::string_view prefix = dimension == 2 ? "region " : "marker ";
-    double value = 0;
-    if (name.starts_with(prefix)) {
-      name.remove_prefix(prefix.size());
-      const auto [stop, status] = std::from_chars(name.data(), name.data() + name.size(), value);
-      const bool right = status == std::errc() && stop == name.data() + name.size() && std::isfinite(value);
-      if (right && (dimension == 2 || is_marker(value))) return value;
-    }
-    return static_cast<double>(tag);
-  }
-  static bool is_marker(double v) {
-    return v >= static_cast<double>(any_marker_low) && v <= static_cast<double>(any_marker_high) && v == std::floor(v);
+  void note_group(std::int64_t dimension, std::int64_t tag, std::string_view name) {
+    if (dimension == 0 || dimension == 3) return mesh_.left_out.add("the names of physical points and volumes");
+    const auto of = dimension == 2 ? GroupName::Of::region : GroupName::Of::marker;
+    value_[{dimension, tag}] = value_of_group(of, name, static_cast<double>(tag)).value;
+    if (tag < 1 || !is_group_name(of, name)) return;
+    std::erase_if(mesh_.names, [&](const GroupName& other) { return other.of == of && other.value == tag; });
+    mesh_.names.push_back({of, static_cast<int>(tag), std::string(name)});
   }
 
   void read_entities() {
@@ -178,6 +190,7 @@ class MshReader {
         for (std::size_t k = 0; k < physicals && !in_.failed(); ++k) {
           const std::int64_t physical = source_.integer("a physical tag", -any_marker_high, any_marker_high);
           if (k == 0) physical_[{dimension, tag}] = std::abs(physical);  // a negative tag means: reversed in the group
+          if (k == 1) mesh_.left_out.add("all physical groups of an entity but the first");
         }
         if (dimension == 0) continue;
         const std::size_t bounds = source_.size("the number of bounding entities");
@@ -216,10 +229,15 @@ class MshReader {
         source_.row("a node's coordinates");
         const Point point = read_point();
         if (!is_ghost) nodes_.add(tags[i], point);
-        for (std::int64_t k = 0; parametric && k < dimension; ++k) source_.number("a node's parameter");
+        if (parametric) read_parameters(dimension);
       }
     }
     finish_nodes(n, found);
+  }
+
+  void read_parameters(std::int64_t n) {
+    for (std::int64_t k = 0; k < n; ++k) source_.number("a node's parameter");
+    if (n > 0) mesh_.left_out.add("parameters of nodes");
   }
 
   std::size_t node_tag() {
@@ -235,14 +253,14 @@ class MshReader {
     return {x, y};
   }
 
-  void finish_nodes(std::size_t announced, std::size_t found) {
+  void finish_nodes(std::size_t announced, std::size_t found, std::string_view end = "$EndNodes") {
     has_nodes_ = true;
     nodes_.sort();
     if (found != announced) {
       in_.fail("expected " + std::to_string(announced) + " nodes, found " + std::to_string(found));
     }
     if (const std::size_t tag = nodes_.repeated()) in_.fail("two nodes have the tag " + std::to_string(tag));
-    expect_end("$EndNodes");
+    expect_end(end);
   }
 
   void read_elements() {
@@ -265,11 +283,11 @@ class MshReader {
       const double value = physical == physical_.end() ? no_region : group_value(dimension, physical->second);
       for (std::size_t i = 0; i < in_block && !in_.failed(); ++i) {
         source_.row("an element");
-        source_.size("an element's tag");
+        const std::size_t tag = source_.size("an element's tag");
         if (is_left_out) {
           for (std::size_t k = 0; k < corners; ++k) source_.size("a node's tag");
         } else {
-          read_corners(corners, value);
+          read_corners(tag, corners, value);
         }
       }
       found += in_block;
@@ -292,8 +310,8 @@ class MshReader {
     return named != value_.end() ? named->second : static_cast<double>(physical);
   }
 
-  /// Reads the corners of one element, whose attribute or marker is `value`.
-  void read_corners(std::size_t n, double value) {
+  /// Reads the corners of the element with this tag, whose attribute or marker is `value`.
+  void read_corners(std::size_t element, std::size_t n, double value) {
     std::array<Index, 3> v{};
     for (std::size_t i = 0; i < n; ++i) {
       const std::size_t tag = version_ > 4
@@ -304,6 +322,7 @@ class MshReader {
     }
     if (in_.failed()) return;
     if (n == 3) {
+      triangles_.add(element, static_cast<Index>(mesh_.triangles.size()));
       mesh_.triangles.push_back({v, {no_index, no_index, no_index}});
       attributes_.push_back(value);
     } else if (n == 2) {
@@ -313,6 +332,7 @@ class MshReader {
 
   void finish_elements(std::size_t announced, std::size_t found) {
     has_elements_ = true;
+    triangles_.sort();
     if (found != announced) {
       in_.fail("expected " + std::to_string(announced) + " elements, found " + std::to_string(found));
     }
@@ -320,45 +340,9 @@ class MshReader {
     expect_end("$EndElements");
   }
 
-  /// Lists of strings, numbers and integers, each after its length; the integers are the time step, the number of
-  /// values per node and the number of nodes. Then `tag values...` for each node. The first value becomes the attribute
-  /// of the point. The lists are text, also in binary files.
-  void read_node_data() {
-    for (const std::string_view list : {"the number of strings", "the number of numbers"}) {
-      in_.expect_line(list);
-      for (std::size_t n = in_.count(list); n > 0 && !in_.failed(); --n) in_.expect_line("a line of the list");
-    }
-    in_.expect_line("the number of integers");
-    std::array<std::size_t, 3> integers{};
-    const std::size_t n = in_.count("the number of integers");
-    for (std::size_t i = 0; i < n && !in_.failed(); ++i) {
-      in_.expect_line("an integer");
-      const std::size_t value = in_.count("an integer");
-      if (i < integers.size()) integers[i] = value;
-    }
-    const auto [step, values, nodes] = integers;
-    // In binary, the tag of a node takes four bytes only.
-    if (n < 3 || values == 0 || !source_.room_for(nodes, values, "values at nodes"))
-      return in_.fail("expected the number of values per node and the number of nodes");
-    mesh_.attributes_per_point = 1;
-    mesh_.point_attributes.resize(nodes_.size(), std::numeric_limits<double>::quiet_NaN());
-    source_.open_section();
-    for (std::size_t i = 0; i < nodes && source_.record("node", i, nodes); ++i) read_value_of_node(values);
-    for (std::size_t i = 0; i < nodes_.size() && !in_.failed(); ++i)
-      if (std::isnan(mesh_.point_attributes[i])) in_.fail("$NodeData has no value for every node");
-    expect_end("$EndNodeData");
-  }
-
-  void read_value_of_node(std::size_t values) {
-    const std::int64_t tag = source_.integer("a node's tag", 1, any_marker_high);
-    const double first = source_.number("a value at a node");
-    for (std::size_t k = 1; k < values; ++k) source_.number("a value at a node");
-    const Index node = nodes_.find(static_cast<std::size_t>(tag));
-    if (node != no_index) mesh_.point_attributes[node] = first;
-  }
-
-  /// Version 2: `tag x y z`. The number of nodes is text, also in binary files.
-  void read_nodes_2() {
+  /// Version 2: `tag x y z`, in $ParametricNodes also `dimension entity` and as many parameters as a curve (1) or a
+  /// surface (2) has. The number of nodes is text, also in binary files.
+  void read_nodes_2(bool parametric) {
     in_.expect_line("the number of nodes");
     const std::size_t n = in_.count("the number of nodes");
     if (n > max_points) in_.fail("announces more nodes than a mesh can hold");
@@ -366,8 +350,12 @@ class MshReader {
     for (std::size_t i = 0; i < n && source_.record("node", i, n); ++i) {
       const auto tag = static_cast<std::size_t>(source_.integer("a node's tag", 1, any_marker_high));
       nodes_.add(tag, read_point());
+      if (!parametric) continue;
+      const std::int64_t dimension = source_.integer("the dimension of a node's entity", 0, 3);
+      source_.integer("an entity's tag", any_marker_low, any_marker_high);
+      read_parameters(dimension < 3 ? dimension : 0);
     }
-    finish_nodes(n, nodes_.size());
+    finish_nodes(n, nodes_.size(), parametric ? "$EndParametricNodes" : "$EndNodes");
   }
 
   /// Version 2: `tag type number-of-tags tags... corners`. In binary files, type and number of tags are given once for
@@ -383,27 +371,27 @@ class MshReader {
 
   /// Reads one element or, in a binary file, several. Returns their number, at least 1.
   std::size_t read_block_2() {
-    if (!source_.binary()) source_.integer("an element's tag", 0, any_marker_high);
+    std::int64_t tag = source_.binary() ? 0 : source_.integer("an element's tag", 0, any_marker_high);
     const std::size_t corners = read_type();
     const std::int64_t in_block =
         source_.binary() ? source_.integer("the number of elements in the block", 1, any_marker_high) : 1;
     const std::int64_t tags = source_.integer("the number of tags", 0, any_marker_high);
     for (std::int64_t i = 0; i < in_block && !in_.failed(); ++i) {
-      if (source_.binary()) source_.integer("an element's tag", 0, any_marker_high);
-      read_element_2(corners, tags);
+      if (source_.binary()) tag = source_.integer("an element's tag", 0, any_marker_high);
+      read_element_2(static_cast<std::size_t>(tag), corners, tags);
     }
     return static_cast<std::size_t>(in_block);
   }
 
   /// The first tag is the physical group, 0 for none.
-  void read_element_2(std::size_t corners, std::int64_t tags) {
+  void read_element_2(std::size_t element, std::size_t corners, std::int64_t tags) {
     std::int64_t physical = 0;
     for (std::int64_t k = 0; k < tags && !in_.failed(); ++k) {
       const std::int64_t tag = source_.integer("a tag", -any_marker_high, any_marker_high);
       if (k == 0) physical = std::abs(tag);
     }
     const std::int64_t dimension = static_cast<std::int64_t>(corners) - 1;
-    read_corners(corners, physical == 0 ? no_region : group_value(dimension, physical));
+    read_corners(element, corners, physical == 0 ? no_region : group_value(dimension, physical));
   }
 
   using Key = std::pair<std::int64_t, std::int64_t>;  ///< dimension and tag
@@ -414,10 +402,11 @@ class MshReader {
   std::size_t partitions_ = 1;
   bool has_partitioned_entities_ = false;
   double version_ = 0;
-  std::map<Key, double> value_;           ///< the values of physical groups that have a name
+  std::map<Key, double> value_;           ///< the values of curves and surfaces that have a name
   std::map<Key, std::int64_t> physical_;  ///< the first physical group of each entity
   std::set<Key> left_out_;                ///< entities whose elements are not read
   MshNodes nodes_;
+  MshTriangles triangles_;
   bool has_nodes_ = false;
   bool has_elements_ = false;
   Array<double> attributes_;  ///< one per triangle

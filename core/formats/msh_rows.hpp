@@ -46,6 +46,21 @@ class MshRows {
     write_records(out_, n,
                   [&](Bytes& to, std::size_t i) { std::apply([&](auto... each) { put(to, each...); }, numbers(i)); });
   }
+  /// Writes n rows of an int and `width` doubles: row_of(i) returns the int and a pointer to the doubles.
+  template <class RowOf>
+  void rows_of_values(std::size_t n, std::size_t width, const RowOf& row_of) {
+    write_records(out_, n, [&](Bytes& to, std::size_t i) {
+      const auto [first, values] = row_of(i);
+      if (binary_) {
+        to.raw(first);
+        for (std::size_t k = 0; k < width; ++k) to.raw(values[k]);
+      } else {
+        to << first;
+        for (std::size_t k = 0; k < width; ++k) to << ' ' << values[k];
+        to << '\n';
+      }
+    });
+  }
   /// A row whose length is not known in advance.
   class Row {
    public:

@@ -13,6 +13,9 @@
 
 namespace pardel::files {
 
+/// The largest tag where tags are integers of 32 bits.
+inline constexpr std::int64_t any_tag = std::numeric_limits<std::int32_t>::max();
+
 /// Reads values. In ASCII they are in rows of text; in binary they are consecutive bytes.
 class MshSource {
  public:
@@ -45,6 +48,8 @@ class MshSource {
     if (!std::isfinite(value)) in_.fail("expected " + std::string(what) + ", found a number that is not finite");
     return value;
   }
+  /// A number that may be infinite or not a number, as results of computations are.
+  double any_number(std::string_view what) { return binary_ ? raw<double>(what) : in_.any_number(what); }
   /// True if the rest of the file can hold n records of `fields` fields, 8 bytes each in binary; otherwise fails.
   bool room_for(std::size_t n, std::size_t fields, std::string_view what) {
     return in_.room_for(n, binary_ ? 8 * fields : text_bytes(fields), what);

@@ -1,6 +1,8 @@
 // Writes Gmsh's MSH 4.1, ASCII and binary (gmsh.info, "MSH file format"). Regions and markers are physical groups, each
 // with one entity: surfaces `region ATTRIBUTE` (`domain` for triangles without a region), curves `marker NUMBER`. The
-// tag of a group is the attribute or marker itself if that is a positive int, else the smallest free number.
+// tag of a group is the attribute or marker itself if that is a positive int, else the smallest free number. A marker
+// or a region with a name of its own has the group of this name. Fields are $NodeData and $ElementData.
+#include "msh_fields.hpp"
 #include "msh_model.hpp"
 
 namespace pardel {
@@ -49,6 +51,8 @@ Status write_msh(const Mesh& mesh, const std::filesystem::path& file, MshEncodin
   write_entities(rows, model);
   write_nodes(rows, model, mesh, tags);
   write_elements(rows, model, mesh, tags);
+  write_fields(
+      rows, mesh, [&](Index v) { return tags.node(v); }, [&](Index t) { return tags.triangle(t); });
   return out.commit();
 }
 

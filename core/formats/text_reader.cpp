@@ -193,6 +193,17 @@ double TextReader::number(std::string_view what) {
   return value;
 }
 
+double TextReader::any_number(std::string_view what) {
+  if (failed_ || !has_field()) return number(what);
+  const std::string_view token = peek();
+  const std::string_view digits = without_plus(token);
+  double value = 0;
+  const auto [stop, status] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (status != std::errc() || stop != digits.data() + digits.size()) return number(what);
+  at_ += token.size();
+  return value;
+}
+
 std::int64_t TextReader::integer_in_any_form(std::string_view what, std::int64_t low, std::int64_t high) {
   if (failed_) return 0;
   skip_blanks();

@@ -64,6 +64,8 @@ class TextReader {
   std::string_view rest_of_line();
   /// Reads a finite number that a double can represent.
   double number(std::string_view what);
+  /// Reads a number that may also be infinite or not a number (`nan`), as results of computations are.
+  double any_number(std::string_view what);
   /// Reads an integer in [low, high].
   std::int64_t integer(std::string_view what, std::int64_t low, std::int64_t high) {
     if (failed_) return 0;

@@ -157,7 +157,10 @@ Result<Mesh> read_triangle_mesh(const fs::path& file) {
   if (present(".poly")) read_beside(".poly", [&](TextReader& in) { has_segments = read_own_segments(in, read); });
   if (!has_segments && present(".edge")) read_beside(".edge", [&](TextReader& in) { read_edges(in, read); });
   if (!status.ok()) return status.error();
-  if (!read.is_middle.empty()) remove_middles(read);
+  if (!read.is_middle.empty()) {
+    remove_middles(read);
+    read.mesh.left_out.add("the middle nodes of triangles");
+  }
 
   const std::size_t surplus = rebuild_neighbours(read.mesh.triangles, read.mesh.points.size());
   if (surplus == 0 && present(".neigh")) read_beside(".neigh", [&](TextReader& in) { check_neighbours(in, read); });

@@ -44,13 +44,12 @@ void write_holes_and_regions(OutputFile& out, const Pslg& pslg, int base) {
   out.write(to.view());
 }
 
-/// Writes the .node. If the mesh is written in second order, the midpoints of all edges follow the vertices. The
-/// attributes of a midpoint are the means of the attributes of the edge's ends.
+/// Writes the .node. Points of a mesh without markers get none. If the mesh is written in second order, the midpoints
+/// of all edges follow the vertices. The attributes of a midpoint are the means of the attributes of the edge's ends.
 void write_node(OutputFile& out, const Mesh& mesh, const EdgeTable& table, const TriangleFiles& files) {
   const std::size_t n = mesh.points.size();
   const std::size_t middles = files.second_order ? table.edges.size() : 0;
-  Array<int> inferred;
-  const std::span<const int> markers = files.markers ? vertex_markers(mesh, inferred) : std::span<const int>();
+  const std::span<const int> markers = files.markers ? mesh.point_markers.span() : std::span<const int>();
   write_points(out, mesh, markers, files.base, n + middles);
   const std::size_t k = mesh.attributes_per_point;
   write_records(out, middles, [&](Bytes& to, std::size_t i) {
@@ -62,7 +61,7 @@ void write_node(OutputFile& out, const Mesh& mesh, const EdgeTable& table, const
       attributes[j] = 0.5 * (mesh.point_attributes[edge.a * k + j] + mesh.point_attributes[edge.b * k + j]);
     }
     put_point(to, n + i + files.base, {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)}, attributes,
-              files.markers ? &edge.marker : nullptr);
+              markers.empty() ? nullptr : &edge.marker);
   });
 }
 
@@ -137,7 +136,7 @@ Status write_triangle_files(const Mesh& mesh, const Pslg& pslg, const fs::path& 
   if (files.write_poly) {
     OutputFile& out = open(".poly");
     Bytes header;
-    put_point_header(header, 0, mesh.attributes_per_point, files.markers);
+    put_point_header(header, 0, mesh.attributes_per_point, files.markers && !mesh.point_markers.empty());
     out.write(header.view());
     write_edges(out, mesh.constrained_edges, files.markers, files.base);
     write_holes_and_regions(out, pslg, files.base);

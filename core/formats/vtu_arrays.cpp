@@ -43,12 +43,13 @@ bool convert(std::string_view bytes, std::string_view type, Array<Value>& to) {
   return false;
 }
 
+/// any: also numbers that are not finite.
 template <class Value>
-Result<Array<Value>> parse_values(TextReader& in) {
+Result<Array<Value>> parse_values(TextReader& in, bool any) {
   Array<Value> values;
   while (in.next_field()) {
     if constexpr (std::is_same_v<Value, double>) {
-      values.push_back(in.number("a value"));
+      values.push_back(any ? in.any_number("a value") : in.number("a value"));
     } else {
       values.push_back(in.integer("a value", std::numeric_limits<Value>::min(), std::numeric_limits<Value>::max()));
     }
@@ -133,12 +134,17 @@ Result<std::string_view> VtuFile::expanded_bytes(const VtuArray& array, Data& da
   return std::string_view(expanded);
 }
 
+bool VtuFile::is_number(std::string_view type) {
+  Array<double> none;
+  return convert({}, type, none);
+}
+
 template <class Value>
-Result<Array<Value>> VtuFile::values(const VtuArray& array) const {
+Result<Array<Value>> VtuFile::values(const VtuArray& array, bool any) const {
   if (array.format == "ascii") {
     TextReader in(text_.substr(0, array.end), name_);
     in.skip(array.begin);
-    return parse_values<Value>(in);
+    return parse_values<Value>(in, any);
   }
   Result<Data> data = data_of(array);
   if (!data.ok()) return data.error();
@@ -152,7 +158,8 @@ Result<Array<Value>> VtuFile::values(const VtuArray& array) const {
                         ", found type " + in_quotes(array.type));
   }
   if constexpr (std::is_same_v<Value, double>) {
-    const auto bad = std::find_if_not(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
+    const auto* const bad =
+        any ? values.end() : std::find_if_not(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
     if (bad != values.end()) {
       return error_at(array.begin, "value " + std::to_string(bad - values.begin()) + " of the array " +
                                        in_quotes(array.name) + " is not finite");
@@ -161,7 +168,7 @@ Result<Array<Value>> VtuFile::values(const VtuArray& array) const {
   return values;
 }
 
-template Result<Array<double>> VtuFile::values(const VtuArray& array) const;
-template Result<Array<std::int64_t>> VtuFile::values(const VtuArray& array) const;
+template Result<Array<double>> VtuFile::values(const VtuArray& array, bool any) const;
+template Result<Array<std::int64_t>> VtuFile::values(const VtuArray& array, bool any) const;
 
 }  // namespace pardel::files

@@ -14,6 +14,7 @@ namespace pardel::files {
 
 /// One element <DataArray>. Its values stay in the text of the file.
 struct VtuArray {
+  std::size_t piece = 0;     ///< in FieldData: without meaning
   std::string_view section;  ///< the enclosing element: Points, Cells, CellData, PointData, FieldData
   std::string_view name;
   std::string_view type;    ///< Float64, Int32, ...
@@ -27,21 +28,29 @@ struct VtuArray {
 /// The elements of a VTU file. The text must outlive the object.
 class VtuFile {
  public:
-  /// Supported: one piece of an UnstructuredGrid, not compressed or compressed by zlib, in the byte order of this
+  /// Supported: the pieces of an UnstructuredGrid, not compressed or compressed by zlib, in the byte order of this
   /// machine; arrays as text, as base64 (inline or appended), or as appended raw bytes; headers of 32 and 64 bits. Any
   /// other file is an error of kind `invalid_input` that names the unsupported part.
   static Result<VtuFile> parse(std::string_view text, const std::string& name);
 
-  [[nodiscard]] std::size_t points() const { return points_; }
-  [[nodiscard]] std::size_t cells() const { return cells_; }
-  /// Returns the array with this section and name, or the first array of the section if `name` is empty; null if none
-  /// exists.
-  [[nodiscard]] const VtuArray* find(std::string_view section, std::string_view name) const;
+  /// An element <Piece>.
+  struct Piece {
+    std::size_t points = 0;
+    std::size_t cells = 0;
+  };
+  /// At least one.
+  [[nodiscard]] const std::vector<Piece>& pieces() const { return pieces_; }
+  /// Returns the array of the piece with this section and name, or the first array of the section if `name` is empty;
+  /// null if none exists. Arrays in FieldData belong to no piece.
+  [[nodiscard]] const VtuArray* find(std::size_t piece, std::string_view section, std::string_view name) const;
+  [[nodiscard]] const std::vector<VtuArray>& arrays() const { return arrays_; }
 
+  /// True if arrays of this type hold numbers; others hold text or bits.
+  [[nodiscard]] static bool is_number(std::string_view type);
   /// All values of an array, converted from the type in the file. `Value` is double or int64_t. A number with a
-  /// fraction is an error if `Value` is int64_t.
+  /// fraction is an error if `Value` is int64_t, and a double that is not finite unless `any` is set.
   template <class Value>
-  [[nodiscard]] Result<Array<Value>> values(const VtuArray& array) const;
+  [[nodiscard]] Result<Array<Value>> values(const VtuArray& array, bool any = false) const;
 
   /// An error at byte `at` of the text: `NAME:LINE: message`.
   [[nodiscard]] Error error_at(std::size_t at, const std::string& message) const;
@@ -72,14 +81,12 @@ class VtuFile {
   std::string_view text_;
   std::string name_;
   std::vector<VtuArray> arrays_;
-  std::size_t points_ = 0;
-  std::size_t cells_ = 0;
+  std::vector<Piece> pieces_;
   std::size_t appended_ = 0;  ///< the first byte of the appended data, after the `_`
   bool appended_raw_ = false;
   std::size_t header_bytes_ = 4;
   bool compressed_ = false;
   bool found_root_ = false;
-  bool found_piece_ = false;
 };
 
 }  // namespace pardel::files

@@ -1,11 +1,17 @@
 // Reads VTU: triangles become triangles of the mesh, lines become its constrained edges, vertices are ignored. The
-// arrays of write_vtu() (region, marker, attributes) are read if they are present. z is ignored.
+// arrays of write_vtu() (region, marker, attributes) are read if they are present; other arrays of points and cells are
+// fields. z is ignored.
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 
 #include "../formats.hpp"
 #include "../neighbours.hpp"
+#include "../support/smallest_angle.hpp"
+#include "group_names.hpp"
 #include "mesh_readers.hpp"
 #include "text_reader.hpp"
 #include "triangle_sections.hpp"
@@ -14,15 +20,15 @@
 namespace pardel::files {
 namespace {
 
-/// Fills a mesh from the arrays of a file. Stores the first failure; after it, every step does nothing.
+/// Fills a mesh from the arrays of a piece of a file. Stores the first failure; after it, every step does nothing.
 class VtuMesh {
  public:
-  explicit VtuMesh(const VtuFile& file) : file_(file) {}
+  VtuMesh(const VtuFile& file, std::size_t piece) : file_(file), piece_(piece) {}
 
   /// After read(): the numbers of the points in a mesh of which the file is a piece; empty if there are none.
   Result<Array<std::uint64_t>> numbers() {
-    const VtuArray* array = file_.find("PointData", vtu_vertex_numbers);
-    const auto values_of_points = values<std::int64_t>(array, file_.points());
+    const VtuArray* array = find("PointData", vtu_vertex_numbers);
+    const auto values_of_points = values<std::int64_t>(array, points());
     Array<std::uint64_t> numbers;
     for (std::size_t i = 0; i < values_of_points.size(); ++i)
       numbers.push_back(static_cast<std::uint64_t>(checked(array, values_of_points, i, 0, no_index - 1)));
@@ -36,19 +42,26 @@ class VtuMesh {
     read_regions();
     read_markers_of_lines();
     read_point_data();
-    read_constrained_edges();
+    read_fields();
+    if (piece_ == 0) read_field_data();
     if (error_) return *error_;
     rebuild_neighbours(mesh_.triangles, mesh_.points.size());
     return std::move(mesh_);
   }
 
  private:
+  [[nodiscard]] std::size_t points() const { return file_.pieces()[piece_].points; }
+  [[nodiscard]] std::size_t cells() const { return file_.pieces()[piece_].cells; }
+  [[nodiscard]] const VtuArray* find(std::string_view section, std::string_view name) const {
+    return file_.find(piece_, section, name);
+  }
+
   void fail(const VtuArray& array, const std::string& message) {
     if (!error_) error_ = file_.error_at(array.begin, "array " + in_quotes(array.name) + ": " + message);
   }
 
   const VtuArray* required(std::string_view section, std::string_view name) {
-    const VtuArray* array = file_.find(section, name);
+    const VtuArray* array = find(section, name);
     if (array == nullptr && !error_) {
       error_ = file_.error_at(0, "expected an array " + std::string(name) + " in <" + std::string(section) + ">");
     }
@@ -88,8 +101,8 @@ class VtuMesh {
   }
 
   void read_points() {
-    if (file_.points() > max_points) error_ = file_.error_at(0, "the piece announces more points than a mesh can hold");
-    const auto xyz = values<double>(required("Points", ""), 3 * file_.points());
+    if (points() > max_points) error_ = file_.error_at(0, "the piece announces more points than a mesh can hold");
+    const auto xyz = values<double>(required("Points", ""), 3 * points());
     mesh_.points.resize_uninitialised(xyz.size() / 3);
 #pragma omp parallel for schedule(static) if (mesh_.points.size() > 100'000)
     for (std::size_t i = 0; i < mesh_.points.size(); ++i) mesh_.points[i] = {xyz[3 * i], xyz[3 * i + 1]};
@@ -126,12 +139,12 @@ class VtuMesh {
     const VtuArray* ends_array = required("Cells", "offsets");
     const VtuArray* types_array = required("Cells", "types");
     const auto corners = values<std::int64_t>(corners_array);
-    const auto ends = values<std::int64_t>(ends_array, file_.cells());
-    const auto types = values<std::int64_t>(types_array, file_.cells());
+    const auto ends = values<std::int64_t>(ends_array, cells());
+    const auto types = values<std::int64_t>(types_array, cells());
     if (!error_ && !can_be_a_mesh(corners.size() / 3)) fail(*corners_array, "more triangles than a mesh can hold");
     const std::size_t leading = error_ ? 0 : read_leading_triangles(corners, ends, types);
     std::size_t first = 3 * leading;
-    for (std::size_t c = leading; c < file_.cells() && !error_; ++c) {
+    for (std::size_t c = leading; c < cells() && !error_; ++c) {
       const std::size_t n = types[c] == vtk_triangle ? 3 : types[c] == vtk_line ? 2 : 1;
       if (n == 1 && types[c] != vtk_vertex) {
         fail(*types_array, "cell " + std::to_string(c) + " is of type " + std::to_string(types[c]) +
@@ -158,8 +171,8 @@ class VtuMesh {
   }
 
   void read_regions() {
-    const VtuArray* array = file_.find("CellData", "region");
-    const auto by_cell = values<double>(array, file_.cells());
+    const VtuArray* array = find("CellData", "region");
+    const auto by_cell = values<double>(array, cells());
     if (error_ || array == nullptr) return;
     Array<double> by_triangle(mesh_.triangles.size());
     for (std::size_t t = 0; t < by_triangle.size(); ++t) by_triangle[t] = by_cell[cell_of(t)];
@@ -168,29 +181,111 @@ class VtuMesh {
 
   void read_markers_of_lines() {
     if (cell_of_line_.empty()) return;
-    const VtuArray* array = file_.find("CellData", "marker");
-    const auto by_cell = values<std::int64_t>(array, file_.cells());
+    const VtuArray* array = find("CellData", "marker");
+    const auto by_cell = values<std::int64_t>(array, cells());
     for (std::size_t i = 0; i < cell_of_line_.size() && !by_cell.empty(); ++i)
       mesh_.constrained_edges[i].marker = marker(array, by_cell, cell_of_line_[i]);
   }
 
   void read_point_data() {
-    const VtuArray* markers_array = file_.find("PointData", "marker");
-    const auto markers = values<std::int64_t>(markers_array, file_.points());
+    const VtuArray* markers_array = find("PointData", "marker");
+    const auto markers = values<std::int64_t>(markers_array, points());
     for (std::size_t i = 0; i < markers.size(); ++i) mesh_.point_markers.push_back(marker(markers_array, markers, i));
-    const VtuArray* attributes = file_.find("PointData", "attributes");
-    if (attributes == nullptr) attributes = file_.find("PointData", "size");
-    if (attributes == nullptr || file_.points() == 0) return;
+    const VtuArray* attributes = find("PointData", "attributes");
+    if (attributes == nullptr || points() == 0) return;
     mesh_.point_attributes = values<double>(attributes);
-    mesh_.attributes_per_point = mesh_.point_attributes.size() / file_.points();
-    if (mesh_.point_attributes.size() % file_.points() != 0)
-      fail(*attributes, "expected as many values at every point");
+    mesh_.attributes_per_point = mesh_.point_attributes.size() / points();
+    if (mesh_.point_attributes.size() % points() != 0) fail(*attributes, "expected as many values at every point");
+  }
+
+  /// Arrays that are no fields: write_vtu() writes them from other parts of the mesh.
+  static bool is_of_mesh(const VtuArray& array) {
+    if (array.section == "CellData") return array.name == "region" || array.name == "marker";
+    return array.name == "marker" || array.name == "attributes" || array.name == vtu_vertex_numbers;
+  }
+
+  /// Those at points come first, as in a .msh.
+  void read_fields() {
+    for (const auto& [section, place] :
+         {std::pair("PointData", Field::Place::points), std::pair("CellData", Field::Place::triangles)})
+      for (const VtuArray& array : file_.arrays())
+        if (array.piece == piece_ && array.section == section && !is_of_mesh(array) && !error_)
+          read_field(array, place);
+  }
+
+  /// Text and bits are left out, and so are values of cells that are no triangles.
+  void read_field(const VtuArray& array, Field::Place place) {
+    const std::string name = xml_text(array.name);
+    if (!VtuFile::is_number(array.type)) return mesh_.left_out.add("the array " + in_quotes(name));
+    const bool of_points = place == Field::Place::points;
+    const std::size_t places = of_points ? points() : cells();
+    auto read = file_.values<double>(array, true);
+    if (!read) {
+      error_ = read.error();
+      return;
+    }
+    if (places == 0 ? !read->empty() : read->size() % places != 0) {
+      return fail(array, "expected as many values " + std::string(of_points ? "at every point" : "in every cell"));
+    }
+    constexpr std::size_t usual = 9;  // a tensor
+    const std::size_t components = places == 0 ? std::min(array.components, usual) : read->size() / places;
+    if (components == 0) return;
+    Field field{name, place, components, std::move(*read)};
+    if (!of_points) field.values = of_triangles(field.values, components);
+    if (!is_quality(field)) mesh_.fields.push_back(std::move(field));
+  }
+
+  Array<double> of_triangles(const Array<double>& by_cell, std::size_t components) {
+    Array<double> values(mesh_.triangles.size() * components);
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
+      std::copy_n(by_cell.begin() + cell_of(t) * components, components, values.begin() + t * components);
+    for (const std::size_t line : cell_of_line_)
+      for (std::size_t k = 0; k < components; ++k)
+        if (!std::isnan(by_cell[line * components + k])) mesh_.left_out.add("values in cells that are not triangles");
+    return values;
+  }
+
+  /// The array that write_vtu() computes. The first triangles decide.
+  [[nodiscard]] bool is_quality(const Field& field) const {
+    if (field.place != Field::Place::triangles || field.name != vtu_quality || field.components != 1) return false;
+    constexpr std::size_t enough = 100;
+    for (std::size_t t = 0; t < std::min(enough, mesh_.triangles.size()); ++t) {
+      const auto& v = mesh_.triangles[t].v;
+      const double angle = smallest_angle({mesh_.points[v[0]], mesh_.points[v[1]], mesh_.points[v[2]]});
+      if (!is_same_attribute(angle, field.values[t]) && !(std::abs(angle - field.values[t]) < 1e-6)) return false;
+    }
+    return true;
+  }
+
+  void read_field_data() {
+    for (const VtuArray& array : file_.arrays())
+      if (array.section == "FieldData" && !array.name.starts_with("constrained_edge") && !error_) read_name(array);
+    read_constrained_edges();
+  }
+
+  /// The name of the array is that of a marker or a region if its values are the marker and 1, or the region and 2, as
+  /// in files that meshio makes of Gmsh's.
+  void read_name(const VtuArray& array) {
+    const std::string name = xml_text(array.name);
+    const auto pair =
+        VtuFile::is_number(array.type) ? file_.values<double>(array, true) : Result<Array<double>>(Error{});
+    if (pair && pair->size() == 2 && ((*pair)[1] == 1 || (*pair)[1] == 2)) {
+      const auto of = (*pair)[1] == 1 ? GroupName::Of::marker : GroupName::Of::region;
+      const double value = (*pair)[0];
+      const bool is_tag = value >= 1 && value <= std::numeric_limits<int>::max() && value == std::floor(value);
+      const auto is_named = [&](const GroupName& other) { return other.of == of && other.value == value; };
+      if (is_tag && is_group_name(of, name) && std::ranges::none_of(mesh_.names, is_named)) {
+        mesh_.names.push_back({of, static_cast<int>(value), name});
+        return;
+      }
+    }
+    mesh_.left_out.add("the field data " + in_quotes(name));
   }
 
   /// Earlier versions of write_vtu() stored the constrained edges as field data instead of cells.
   void read_constrained_edges() {
-    const VtuArray* ends_array = file_.find("FieldData", "constrained_edges");
-    const VtuArray* markers_array = file_.find("FieldData", "constrained_edge_markers");
+    const VtuArray* ends_array = find("FieldData", "constrained_edges");
+    const VtuArray* markers_array = find("FieldData", "constrained_edge_markers");
     const auto ends = values<std::int64_t>(ends_array);
     const auto markers = values<std::int64_t>(markers_array, ends.size() / 2);
     for (std::size_t i = 0; i < ends.size() / 2 && !error_; ++i) {
@@ -202,6 +297,7 @@ class VtuMesh {
   }
 
   const VtuFile& file_;
+  std::size_t piece_;
   Mesh mesh_;
   std::size_t leading_triangles_ = 0;          ///< their cells are the first cells
   std::vector<std::size_t> cell_of_triangle_;  ///< of the other triangles
@@ -209,12 +305,34 @@ class VtuMesh {
   std::optional<Error> error_;
 };
 
+/// The numbers of the points run through the pieces, unless all pieces have numbers of their own.
+void number_through(std::vector<NumberedMesh>& pieces) {
+  const auto has_numbers = [](const NumberedMesh& piece) { return piece.number.size() == piece.mesh.points.size(); };
+  if (std::ranges::all_of(pieces, has_numbers)) return;
+  std::uint64_t next = 0;
+  for (NumberedMesh& piece : pieces) {
+    piece.number.clear();
+    for (std::size_t i = 0; i < piece.mesh.points.size(); ++i) piece.number.push_back(next++);
+  }
+}
+
 }  // namespace
 
 Result<Mesh> parse_vtu(std::string_view text, const std::string& name) {
   const auto file = VtuFile::parse(text, name);
   if (!file.ok()) return file.error();
-  return VtuMesh(*file).read();
+  if (file->pieces().size() == 1) return VtuMesh(*file, 0).read();
+  std::vector<NumberedMesh> pieces;
+  for (std::size_t piece = 0; piece < file->pieces().size(); ++piece) {
+    VtuMesh reader(*file, piece);
+    Result<Mesh> mesh = reader.read();
+    if (!mesh) return mesh.error();
+    Result<Array<std::uint64_t>> numbers = reader.numbers();
+    if (!numbers) return numbers.error();
+    pieces.push_back({std::move(*mesh), std::move(*numbers)});
+  }
+  number_through(pieces);
+  return join_read_pieces(std::move(pieces), name);
 }
 
 }  // namespace pardel::files
@@ -226,7 +344,9 @@ Result<NumberedMesh> read_vtu_piece(const std::filesystem::path& file) {
   if (!text) return text.error();
   const auto parsed = files::VtuFile::parse(*text, file.string());
   if (!parsed) return parsed.error();
-  files::VtuMesh reader(*parsed);
+  if (const std::size_t n = parsed->pieces().size(); n != 1)
+    return parsed->error_at(0, "expected one <Piece>, as a file of a .pvtu has, found " + std::to_string(n));
+  files::VtuMesh reader(*parsed, 0);
   Result<Mesh> mesh = reader.read();
   if (!mesh) return mesh.error();
   Result<Array<std::uint64_t>> numbers = reader.numbers();

@@ -46,14 +46,11 @@ std::optional<Error> VtuFile::read_root(const XmlTag& tag, std::size_t at) {
 }
 
 std::optional<Error> VtuFile::read_piece(const XmlTag& tag, std::size_t at) {
-  if (found_piece_) return error_at(at, "expected one piece, found a second");
-  found_piece_ = true;
   const std::int64_t points = whole(tag["NumberOfPoints"], -1);
   const std::int64_t cells = whole(tag["NumberOfCells"], -1);
   if (points < 0) return error_at(at, "expected the number of points, found " + in_quotes(tag["NumberOfPoints"]));
   if (cells < 0) return error_at(at, "expected the number of cells, found " + in_quotes(tag["NumberOfCells"]));
-  points_ = static_cast<std::size_t>(points);
-  cells_ = static_cast<std::size_t>(cells);
+  pieces_.push_back({static_cast<std::size_t>(points), static_cast<std::size_t>(cells)});
   return std::nullopt;
 }
 
@@ -64,7 +61,8 @@ std::optional<Error> VtuFile::read_array(const XmlTag& tag, std::string_view sec
   if (components < 1)
     return error_at(at, "expected a number of components, found " + in_quotes(tag["NumberOfComponents"]));
   if (offset < 0) return error_at(at, "expected an offset, found " + in_quotes(tag["offset"]));
-  VtuArray array{section,
+  VtuArray array{pieces_.empty() ? 0 : pieces_.size() - 1,
+                 section,
                  tag["Name"],
                  tag["type"],
                  tag["format"],
@@ -123,13 +121,15 @@ Result<VtuFile> VtuFile::parse(std::string_view text, const std::string& name) {
   }
   if (!file.found_root_)
     return file.error_at(0, "expected a VTK file (<VTKFile type=\"UnstructuredGrid\" ...>), found none");
-  if (!file.found_piece_) return file.error_at(0, "expected a <Piece>, found none");
+  if (file.pieces_.empty()) return file.error_at(0, "expected a <Piece>, found none");
   return file;
 }
 
-const VtuArray* VtuFile::find(std::string_view section, std::string_view name) const {
+const VtuArray* VtuFile::find(std::size_t piece, std::string_view section, std::string_view name) const {
   for (const VtuArray& array : arrays_) {
-    if (array.section == section && (name.empty() || array.name == name)) return &array;
+    if ((array.piece == piece || section == "FieldData") && array.section == section &&
+        (name.empty() || array.name == name))
+      return &array;
   }
   return nullptr;
 }

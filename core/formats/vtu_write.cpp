@@ -12,7 +12,9 @@
 
 #include "../formats.hpp"
 #include "../support/mesh_edges.hpp"
+#include "../support/smallest_angle.hpp"
 #include "records.hpp"
+#include "vtu_names.hpp"
 
 namespace pardel {
 using namespace files;
@@ -60,21 +62,6 @@ AppendedArray cell_array(std::string name, const Mesh& mesh, OfTriangle of_trian
           }};
 }
 
-/// The smallest angle in degrees, which lies opposite the shortest edge; 0 if the triangle is flat.
-double smallest_angle(const std::array<Point, 3>& p) {
-  const auto squared_length = [&](std::size_t i) {  // of the edge opposite corner i
-    const Point& a = p[(i + 1) % 3];
-    const Point& b = p[(i + 2) % 3];
-    return (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y);
-  };
-  const std::array<double, 3> lengths{squared_length(0), squared_length(1), squared_length(2)};
-  const auto at = static_cast<std::size_t>(std::min_element(lengths.begin(), lengths.end()) - lengths.begin());
-  const Point& a = p[(at + 1) % 3];
-  const Point& b = p[(at + 2) % 3];
-  const double ux = a.x - p[at].x, uy = a.y - p[at].y, vx = b.x - p[at].x, vy = b.y - p[at].y;
-  return std::atan2(std::abs(ux * vy - uy * vx), ux * vx + uy * vy) * (180 / std::numbers::pi);
-}
-
 /// Corners and offsets are integers of type Id. If 32 bits suffice, the file is half as large as with 64 bits.
 template <class Id>
 Section cells(const Mesh& mesh) {
@@ -98,6 +85,35 @@ Section cells(const Mesh& mesh) {
   return {"Cells", {connectivity, offsets, types}};
 }
 
+AppendedArray quality(const Mesh& mesh) {
+  return cell_array<double>(
+      vtu_quality, mesh,
+      [&mesh](std::size_t t) {
+        const auto& v = mesh.triangles[t].v;
+        return smallest_angle({mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]]});
+      },
+      [](std::size_t) { return std::numeric_limits<double>::quiet_NaN(); });
+}
+
+/// Adds the fields at the points or in the triangles. Lines have no values.
+void put_fields(std::vector<AppendedArray>& arrays, const Mesh& mesh, Field::Place place) {
+  const std::vector<std::string> names = names_of_vtu_fields(mesh);
+  for (std::size_t i = 0; i < mesh.fields.size(); ++i) {
+    const Field& field = mesh.fields[i];
+    if (field.place != place) continue;
+    AppendedArray array = stored_array(xml_value(names[i]), field.components, field.values.span());
+    if (place == Field::Place::triangles) {
+      const std::size_t more = mesh.constrained_edges.size() * field.components;
+      array.bytes += more * sizeof(double);
+      array.write = [triangles = std::move(array.write), more](OutputFile& out) {
+        triangles(out);
+        write_values(out, more, [](std::size_t) { return std::numeric_limits<double>::quiet_NaN(); });
+      };
+    }
+    arrays.push_back(std::move(array));
+  }
+}
+
 /// always_markers: for a piece, because all pieces of a mesh have the same arrays.
 Section cell_data(const Mesh& mesh, bool always_markers) {
   Section section{"CellData", {}};
@@ -116,21 +132,20 @@ Section cell_data(const Mesh& mesh, bool always_markers) {
         "marker", mesh, [](std::size_t) { return std::int32_t{0}; },
         [&mesh](std::size_t i) { return std::int32_t{mesh.constrained_edges[i].marker}; }));
   }
-  section.second.push_back(cell_array<double>(
-      "quality", mesh,
-      [&mesh](std::size_t t) {
-        const auto& v = mesh.triangles[t].v;
-        return smallest_angle({mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]]});
-      },
-      [](std::size_t) { return std::numeric_limits<double>::quiet_NaN(); }));
+  put_fields(section.second, mesh, Field::Place::triangles);
+  if (!has_own_quality(mesh)) section.second.push_back(quality(mesh));
   return section;
 }
 
-Section point_data(const Mesh& mesh, std::span<const int> markers, const PieceNumbers& numbers) {
-  Section section{"PointData", {stored_array("marker", 1, markers)}};
+/// `inferred`: for vertex_markers(), because all pieces have markers.
+Section point_data(const Mesh& mesh, Array<int>& inferred, const PieceNumbers& numbers) {
+  Section section{"PointData", {}};
+  if (numbers || !mesh.point_markers.empty())
+    section.second.push_back(stored_array("marker", 1, vertex_markers(mesh, inferred)));
   if (numbers) section.second.push_back(stored_array(vtu_vertex_numbers, 1, *numbers));
   if (const std::size_t k = mesh.attributes_per_point; k > 0)
     section.second.push_back(stored_array("attributes", k, mesh.point_attributes.span()));
+  put_fields(section.second, mesh, Field::Place::points);
   return section;
 }
 
@@ -146,10 +161,19 @@ void put_section(Bytes& to, const Section& section, std::size_t& offset) {
   to << "</" << name << ">\n";
 }
 
+/// The names of markers and regions as field data: the marker and 1, or the attribute and 2.
+void put_names(Bytes& to, const Mesh& mesh) {
+  if (mesh.names.empty()) return;
+  to << "<FieldData>\n";
+  for (const GroupName& name : mesh.names)
+    to << "<DataArray type=\"Int64\" Name=\"" << xml_value(name.name) << "\" NumberOfTuples=\"2\" format=\"ascii\">"
+       << name.value << (name.of == GroupName::Of::marker ? " 1" : " 2") << "</DataArray>\n";
+  to << "</FieldData>\n";
+}
+
 void write(const Mesh& mesh, const PieceNumbers& numbers, OutputFile& out) {
   const std::size_t n = mesh.points.size();
   Array<int> inferred;
-  const std::span<const int> markers = vertex_markers(mesh, inferred);
   const auto write_points = [&mesh, n](OutputFile& to) {
     write_values(to, n, [&mesh](std::size_t i) {
       return std::array<double, 3>{mesh.points[i].x, mesh.points[i].y, 0.0};
@@ -159,13 +183,14 @@ void write(const Mesh& mesh, const PieceNumbers& numbers, OutputFile& out) {
   constexpr std::size_t most = std::numeric_limits<std::int32_t>::max();
   const bool small = n <= most && 3 * cell_count(mesh) <= most;
   const std::vector<Section> sections{points, small ? cells<std::int32_t>(mesh) : cells<std::int64_t>(mesh),
-                                      cell_data(mesh, numbers.has_value()), point_data(mesh, markers, numbers)};
+                                      cell_data(mesh, numbers.has_value()), point_data(mesh, inferred, numbers)};
 
   Bytes header;
   header << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\""
          << (std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian")
-         << "\" header_type=\"UInt64\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"" << n << "\" NumberOfCells=\""
-         << cell_count(mesh) << "\">\n";
+         << "\" header_type=\"UInt64\">\n<UnstructuredGrid>\n";
+  put_names(header, mesh);
+  header << "<Piece NumberOfPoints=\"" << n << "\" NumberOfCells=\"" << cell_count(mesh) << "\">\n";
   std::size_t offset = 0;
   for (const Section& section : sections) put_section(header, section, offset);
   header << "</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";

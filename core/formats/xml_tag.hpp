@@ -71,18 +71,33 @@ struct XmlTag {
   return at;
 }
 
+inline constexpr std::array<std::pair<std::string_view, char>, 5> xml_entities = {
+    {{"&amp;", '&'}, {"&lt;", '<'}, {"&gt;", '>'}, {"&quot;", '"'}, {"&apos;", '\''}}};
+
 /// The text that the value of an attribute stands for.
 [[nodiscard]] inline std::string xml_text(std::string_view value) {
-  constexpr std::array<std::pair<std::string_view, char>, 5> entities = {
-      {{"&amp;", '&'}, {"&lt;", '<'}, {"&gt;", '>'}, {"&quot;", '"'}, {"&apos;", '\''}}};
   std::string text;
   while (!value.empty()) {
     const auto* const entity =
-        std::ranges::find_if(entities, [&](const auto& each) { return value.starts_with(each.first); });
-    text += entity == entities.end() ? value[0] : entity->second;
-    value.remove_prefix(entity == entities.end() ? 1 : entity->first.size());
+        std::ranges::find_if(xml_entities, [&](const auto& each) { return value.starts_with(each.first); });
+    text += entity == xml_entities.end() ? value[0] : entity->second;
+    value.remove_prefix(entity == xml_entities.end() ? 1 : entity->first.size());
   }
   return text;
+}
+
+/// The value of an attribute that stands for the text. Control characters, which XML does not have, become blanks.
+[[nodiscard]] inline std::string xml_value(std::string_view text) {
+  std::string value;
+  for (const char c : text) {
+    const auto* const entity = std::ranges::find(xml_entities, c, [](const auto& each) { return each.second; });
+    if (entity != xml_entities.end()) {
+      value += entity->first;
+    } else {
+      value += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    }
+  }
+  return value;
 }
 
 }  // namespace pardel::files

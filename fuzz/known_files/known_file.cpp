@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "../../core/formats.hpp"
-#include "../../core/support/shortest.hpp"
 #include "../file_bundle.hpp"
 #include "../fuzz_one.hpp"
 #include "../mesh_in_pieces.hpp"
@@ -66,15 +65,8 @@ KnownFile any_poly(Random& random, const Scratch& scratch) {
   return {poly, std::move(pslg)};
 }
 
-/// The writers of .node and .vtu give points without markers those of constrained edges.
-Mesh any_mesh_with_markers(Random& random) {
-  Mesh mesh = any_mesh(random);
-  if (mesh.point_markers.empty()) mesh.point_markers.resize(mesh.points.size(), 3);
-  return mesh;
-}
-
 KnownFile any_triangle_files(Random& random, const Scratch& scratch) {
-  Mesh mesh = any_mesh_with_markers(random);
+  Mesh mesh = any_mesh(random);
   const TriangleFiles files{.base = random.between(0, 1),
                             .write_edge = random.chance(2),
                             .write_neigh = random.chance(2),
@@ -91,14 +83,6 @@ Mesh without_data_of_points(Mesh mesh) {
   return mesh;
 }
 
-/// The section $NodeData with the first attribute of each point.
-std::string node_data(const Mesh& mesh) {
-  std::string section = "$NodeData\n1\n\"size\"\n1\n0\n3\n0\n1\n" + std::to_string(mesh.points.size()) + "\n";
-  for (std::size_t i = 0; i < mesh.points.size(); ++i)
-    section += std::to_string(i + 1) + " " + shortest(mesh.point_attributes[i]) + "\n";
-  return section + "$EndNodeData\n";
-}
-
 KnownFile any_msh(Random& random, const Scratch& scratch) {
   if (random.chance(4)) return any_msh_2(random);
   const MshEncoding encoding = any_encoding(random);
@@ -109,17 +93,10 @@ KnownFile any_msh(Random& random, const Scratch& scratch) {
     require_written(write_msh(*pieces, scratch / "mesh.msh", encoding));
     return {bundle_of(scratch, {"mesh_1.msh", "mesh_2.msh"}), mesh, false};
   }
-  Mesh mesh = any_mesh(random);
+  Mesh mesh = without_data_of_points(any_mesh(random));
+  add_fields_and_names(mesh, random);
   require_written(write_msh(mesh, scratch / "mesh.msh", encoding));
-  std::string bytes = contents(scratch / "mesh.msh");
-  const bool has_data = encoding == MshEncoding::ascii && mesh.attributes_per_point == 1;
-  if (has_data) {
-    bytes += node_data(mesh);
-    mesh.point_markers.clear();
-  } else {
-    mesh = without_data_of_points(std::move(mesh));
-  }
-  return {std::move(bytes), std::move(mesh), false};
+  return {contents(scratch / "mesh.msh"), std::move(mesh), false};
 }
 
 KnownFile any_pvtu(Random& random, const Scratch& scratch) {
@@ -149,7 +126,8 @@ KnownFile any_known_file(Random& random, const std::string& main_file) {
   if (suffix == ".ele") return any_triangle_files(random, scratch);
   if (suffix == ".msh") return any_msh(random, scratch);
   if (suffix == ".pvtu") return any_pvtu(random, scratch);
-  Mesh mesh = any_mesh_with_markers(random);
+  Mesh mesh = any_mesh(random);
+  if (suffix == ".vtu") add_fields_and_names(mesh, random);
   if (suffix == ".off") {
     mesh = without_data_of_points(std::move(mesh));
     mesh.region.clear();

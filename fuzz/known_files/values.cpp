@@ -108,4 +108,19 @@ Mesh any_mesh(Random& random) {
   return mesh;
 }
 
+void add_fields_and_names(Mesh& mesh, Random& random) {
+  const auto add = [&](const char* name, Field::Place place, std::size_t places) {
+    if (random.chance(2)) return;
+    const auto components = static_cast<std::size_t>(random.between(1, 3));
+    Array<double> values(places * components);
+    for (double& value : values) value = random.chance(4) ? std::nan("") : any_number(random);
+    mesh.fields.push_back({name, place, components, std::move(values), 0});
+  };
+  add("T", Field::Place::points, mesh.points.size());
+  add("speed & <more>", Field::Place::points, mesh.points.size());
+  add("heat", Field::Place::triangles, mesh.triangles.size());
+  if (random.chance(2)) mesh.names.push_back({GroupName::Of::marker, random.between(1, 3), "wall # of \"it\""});
+  if (random.chance(2)) mesh.names.push_back({GroupName::Of::region, random.between(1, 3), "water"});
+}
+
 }  // namespace pardel::fuzz

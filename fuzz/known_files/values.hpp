@@ -18,5 +18,7 @@ namespace pardel::fuzz {
 [[nodiscard]] Mesh any_fan(generators::Random& random);
 /// A fan, or triangles that share nothing but points.
 [[nodiscard]] Mesh any_mesh(generators::Random& random);
+/// Adds fields, first those at points, and names of markers and regions.
+void add_fields_and_names(Mesh& mesh, generators::Random& random);
 
 }  // namespace pardel::fuzz

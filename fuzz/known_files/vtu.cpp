@@ -190,10 +190,8 @@ KnownFile any_vtu(Random& random) {
   std::string piece;
   if (!markers.empty() || !attributes.empty()) piece += "<PointData>\n";
   if (!markers.empty()) piece += file.array("marker", "Int32", markers);
-  // "size" is what other programs call an attribute.
   if (!attributes.empty())
-    piece += file.array(random.chance(2) ? "attributes" : "size", "Float64", attributes,
-                        static_cast<int>(mesh.attributes_per_point));
+    piece += file.array("attributes", "Float64", attributes, static_cast<int>(mesh.attributes_per_point));
   if (!markers.empty() || !attributes.empty()) piece += "</PointData>\n";
   piece += "<CellData>\n" + file.array("marker", whole, cells.marker);
   if (!mesh.region.empty()) piece += file.array("region", "Float64", cells.region);

@@ -231,28 +231,6 @@ $EndElements
   EXPECT_EQ(mesh->constrained_edges, (std::vector<ConstrainedEdge>{{0, 1, no_index, 6}}));
 }
 
-const std::string with_values =
-    "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n$EndNodes\n$Elements\n1\n"
-    "1 2 0 1 2 3\n$EndElements\n$NodeData\n1\n\"size\"\n1\n0.5\n3\n0\n2\n3\n3 30 7\n1 10 7\n2 20 7\n$EndNodeData\n";
-
-TEST(Msh, has_the_first_value_of_the_first_node_data_as_attribute_of_a_point) {
-  const auto mesh = parse_msh(with_values, "m.msh");
-  ASSERT_TRUE(mesh.ok()) << mesh.error().message;
-  EXPECT_EQ(mesh->attributes_per_point, 1u);
-  EXPECT_EQ(std::vector<double>(mesh->point_attributes.begin(), mesh->point_attributes.end()),
-            (std::vector<double>{10, 20, 30}));
-}
-
-TEST(Msh, may_have_node_data_as_short_as_possible) {
-  std::string text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n9\n";
-  for (int i = 1; i <= 9; ++i) text += std::to_string(i) + " " + std::to_string(i) + " 0 0\n";
-  text += "$EndNodes\n$Elements\n0\n$EndElements\n$NodeData\n0\n0\n3\n0\n1\n9\n";
-  for (int i = 1; i <= 9; ++i) text += std::to_string(i) + " 5\n";
-  const auto mesh = parse_msh(text + "$EndNodeData\n", "m.msh");
-  ASSERT_TRUE(mesh.ok()) << mesh.error().message;
-  EXPECT_EQ(mesh->point_attributes, Array<double>(9, 5.0));
-}
-
 TEST(Msh, has_one_group_for_each_attribute_in_any_order_of_the_regions) {
   const TemporaryFolder folder;
   Mesh mesh = sample_mesh();
@@ -270,17 +248,6 @@ TEST(Msh, has_one_group_for_each_attribute_in_any_order_of_the_regions) {
     const Index region = mesh.region[static_cast<std::size_t>(original - mesh.triangles.begin())];
     EXPECT_EQ(read->region_attributes[read->region[t]], mesh.region_attributes[region]) << t;
   }
-}
-
-TEST(Msh, with_incomplete_node_data_is_refused) {
-  const auto failure = [](const std::string& from, const std::string& to) {
-    return message_of_invalid(parse_msh(replaced(with_values, from, to), "m.msh"));
-  };
-  EXPECT_NE(failure("2\n3\n3 30 7\n", "2\n2\n").find("$NodeData has no value for every node"), std::string::npos);
-  EXPECT_NE(failure("3\n0\n2\n3\n", "2\n0\n2\n").find("expected the number of values per node"), std::string::npos);
-  EXPECT_NE(failure("1 10 7", "1 ten 7").find("expected a value at a node, found \"ten\""), std::string::npos);
-  EXPECT_NE(failure("$EndNodeData\n", "").find("m.msh:"), std::string::npos);
-  EXPECT_NE(failure("2\n3\n3 30", "2\n3000000\n3 30").find("values at nodes"), std::string::npos);
 }
 
 TEST(Msh, errors_name_the_line_and_the_fault) {
@@ -432,31 +399,8 @@ Physical Surface("left", 3) = {1}; Physical Surface("right", 8) = {2};
   EXPECT_EQ(digests[0], digests[1]);
 }
 
-/// The mesh in MSH 4.1, binary, with a value at each node.
-std::string binary_with_values() {
-  const TemporaryFolder folder;
-  EXPECT_TRUE(write_msh(sample_mesh(), folder / "m.msh", MshEncoding::binary));
-  std::string text = folder.read("m.msh") + "$NodeData\n1\n\"h\"\n1\n0.0\n3\n0\n1\n6\n";
-  for (std::int32_t tag = 6; tag > 0; --tag) {
-    const double value = 10.0 + tag;
-    text.append(reinterpret_cast<const char*>(&tag), sizeof tag);
-    text.append(reinterpret_cast<const char*>(&value), sizeof value);
-  }
-  return text + "\n$EndNodeData\n";
-}
-
-TEST(Msh, of_bytes_may_have_values_at_nodes) {
-  const Result<Mesh> mesh = parse_msh(binary_with_values(), "f");
-  ASSERT_TRUE(mesh) << mesh.error().message;
-  EXPECT_EQ(std::vector<double>(mesh->point_attributes.begin(), mesh->point_attributes.end()),
-            (std::vector<double>{11, 12, 13, 14, 15, 16}));
-  std::string longer = binary_with_values();
-  longer.replace(longer.find("$NodeData"), 30, "$NodeData\n1\n\"h\"\n1\n0.0\n3\n0\n1\n9\n");
-  EXPECT_FALSE(parse_msh(longer, "f")) << "more nodes than there are";
-}
-
 TEST(Msh, numbers_points_from_one) {
-  const Result<Mesh> mesh = parse_msh(binary_with_values(), "f");
+  const Result<Mesh> mesh = parse_msh(ascii, "f");
   ASSERT_TRUE(mesh);
   EXPECT_EQ(mesh->first_id.value, 1);
 }

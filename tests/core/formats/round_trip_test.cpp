@@ -85,6 +85,31 @@ Mesh any_mesh() {
   return mesh;
 }
 
+/// Any number, also one that is missing or infinite.
+double any_result() {
+  const double value = std::bit_cast<double>(*rc::gen::arbitrary<std::uint64_t>());
+  return std::isnan(value) ? std::nan("") : value;
+}
+
+/// A mesh with fields at points and in triangles, in this order, as readers return them, and with names.
+Mesh any_mesh_with_fields() {
+  Mesh mesh = any_mesh();
+  const auto add = [&](Field::Place place, std::size_t places) {
+    for (std::size_t i = up_to(2); i > 0; --i) {
+      const std::size_t components = 1 + up_to(11);
+      Array<double> values(places * components);
+      for (double& value : values) value = any_result();
+      mesh.fields.push_back({"field " + std::to_string(i), place, components, std::move(values), 0});
+    }
+  };
+  add(Field::Place::points, mesh.points.size());
+  add(Field::Place::triangles, mesh.triangles.size());
+  for (int value = 1; value < 4; ++value)
+    if (either())
+      mesh.names.push_back({either() ? GroupName::Of::marker : GroupName::Of::region, value, "a & \"b\" <c>"});
+  return mesh;
+}
+
 Mesh read_back(const TemporaryFolder& folder, const char* name) {
   const auto read = read_mesh(folder / name);
   RC_ASSERT(read.ok());
@@ -122,7 +147,7 @@ PARDEL_PROPERTY(RoundTrip, of_a_mesh_through_vtu_changes_nothing,
                  .source = "core/formats.hpp",
                  .families = "values of every shape"}) {
   const TemporaryFolder folder;
-  const Mesh mesh = any_mesh();
+  const Mesh mesh = any_mesh_with_fields();
   RC_ASSERT(write_vtu(mesh, folder / "m.vtu").ok());
   RC_ASSERT(read_back(folder, "m.vtu") == mesh);
 }
@@ -132,13 +157,17 @@ PARDEL_PROPERTY(RoundTrip, of_a_mesh_through_msh_keeps_its_points_and_its_digest
                  .source = "core/formats.hpp",
                  .families = "values of every shape"}) {
   const TemporaryFolder folder;
-  const Mesh mesh = any_mesh();
+  const Mesh mesh = any_mesh_with_fields();
   RC_ASSERT(write_msh(mesh, folder / "m.msh", either() ? MshEncoding::ascii : MshEncoding::binary).ok());
   const Mesh read = read_back(folder, "m.msh");
   RC_ASSERT(read.points == mesh.points);
   RC_ASSERT(read.triangles.size() == mesh.triangles.size());
   RC_ASSERT(read.region_attributes == mesh.region_attributes);
   RC_ASSERT(digest(read) == digest(mesh));
+  RC_ASSERT(std::ranges::is_permutation(read.names, mesh.names));
+  RC_ASSERT(read.fields.size() == mesh.fields.size());
+  for (std::size_t f = 0; f < mesh.fields.size(); ++f)
+    RC_ASSERT(mesh.fields[f].place == Field::Place::triangles || read.fields[f] == mesh.fields[f]);
 }
 
 PARDEL_PROPERTY(RoundTrip, of_a_mesh_through_off_keeps_its_points_triangles_and_constrained_edges,

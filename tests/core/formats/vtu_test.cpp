@@ -269,7 +269,7 @@ TEST(Vtu, errors_name_the_line_and_the_fault) {
   EXPECT_EQ(failure("version=\"0.1\"", "version=\"0.1\" compressor=\"vtkLZ4DataCompressor\""),
             "f:3: expected no compressor or vtkZLibDataCompressor, found \"vtkLZ4DataCompressor\"");
   EXPECT_EQ(failure("Piece Num", "Peace Num"), "f:1: expected a <Piece>, found none");
-  EXPECT_EQ(failure("</UnstructuredGrid>", "<Piece/>"), "f:30: expected one piece, found a second");
+  EXPECT_EQ(failure("</UnstructuredGrid>", "<Piece/>"), "f:30: expected the number of points, found \"\"");
   EXPECT_EQ(failure("NumberOfPoints=\"4\"", "NumberOfPoints=\"-4\""),
             "f:5: expected the number of points, found \"-4\"");
   EXPECT_EQ(failure("NumberOfCells=\"4\"", ""), "f:5: expected the number of cells, found \"\"");

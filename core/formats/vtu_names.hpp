@@ -1,0 +1,36 @@
+// The names of fields in a VTU file.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "../formats.hpp"
+#include "xml_tag.hpp"
+
+namespace pardel::files {
+
+/// True if the mesh has a field with the name of the array that write_vtu() computes. It is written instead.
+[[nodiscard]] inline bool has_own_quality(const Mesh& mesh) {
+  return std::ranges::any_of(mesh.fields, [](const Field& field) {
+    return field.place == Field::Place::triangles && field.name == vtu_quality;
+  });
+}
+
+/// One name per field. The arrays of points have distinct names, and so have those of cells, different from those of
+/// the mesh itself: where a name is taken, a number follows it.
+[[nodiscard]] inline std::vector<std::string> names_of_vtu_fields(const Mesh& mesh) {
+  std::vector<std::string> at_points = {"marker", "attributes", vtu_vertex_numbers},
+                           in_triangles = {"region", "marker"};
+  std::vector<std::string> names;
+  for (const Field& field : mesh.fields) {
+    std::vector<std::string>& taken = field.place == Field::Place::points ? at_points : in_triangles;
+    std::string name = field.name;
+    for (int n = 2; std::ranges::find(taken, name) != taken.end(); ++n) name = field.name + " " + std::to_string(n);
+    taken.push_back(name);
+    names.push_back(std::move(name));
+  }
+  return names;
+}
+
+}  // namespace pardel::files
