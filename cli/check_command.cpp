@@ -13,6 +13,7 @@
 #include "../core/formats.hpp"
 #include "../core/support/open_file.hpp"
 #include "../properties/checker/check.hpp"
+#include "beside_mesh.hpp"
 #include "certificate_report.hpp"
 #include "command.hpp"
 #include "distinct_files.hpp"
@@ -54,11 +55,7 @@ Result<CheckInput, Refusal> read(const CheckArguments& arguments, ProgressBar& b
   bar.begin("reading " + arguments.mesh.string());
   Result<Mesh> mesh = read_mesh(arguments.mesh);
   if (!mesh) return Refusal(mesh.error());
-  // A .msh has no attributes: values at its nodes are results.
-  if (mesh_format(arguments.mesh) == MeshFormat::msh) {
-    mesh->attributes_per_point = 0;
-    mesh->point_attributes.clear();
-  }
+  note_beside_mesh(*mesh, arguments.mesh, ", which the check does not use");
   const Result<GivenSizes> sizes = read_given_sizes(arguments.goal);
   if (!sizes) return Refusal(sizes.error());
   Result<Goal> goal = make_goal(arguments.goal, *sizes, *domain);

@@ -12,6 +12,7 @@
 
 #include "../core/formats.hpp"
 #include "../core/support/open_file.hpp"
+#include "beside_mesh.hpp"
 #include "command.hpp"
 #include "distinct_files.hpp"
 #include "domain_or_mesh.hpp"
@@ -31,19 +32,6 @@ struct ConvertArguments {
   MeshFormatOptions format;
   bool quiet = false;
 };
-
-/// The contents of the mesh that the format of the output cannot store, for example "regions, markers of points".
-std::string lost(const Mesh& mesh, const fs::path& output) {
-  const bool off = output.extension() == ".off", drops_data_of_points = !stores_data_of_points(output);
-  std::string list;
-  const auto add = [&](bool is_lost, const char* what) {
-    if (is_lost) list += (list.empty() ? "" : ", ") + std::string(what);
-  };
-  add(off && !mesh.region_attributes.empty(), "regions");
-  add(drops_data_of_points && !mesh.point_markers.empty(), "markers of points");
-  add(drops_data_of_points && mesh.attributes_per_point > 0, "attributes of points");
-  return list;
-}
 
 Error wrong_output(const ConvertArguments& arguments, const std::string& why) {
   return {ErrorKind::usage, fmt::format("{}: {}", arguments.output.string(), why)};
@@ -71,17 +59,16 @@ Status check_output_of(const ConvertArguments& arguments, const Mesh& /*mesh*/) 
   return check_distinct(std::array{NamedFile{"OUT", arguments.output}}, std::array{NamedFile{{}, arguments.input}});
 }
 
-void print(const ConvertArguments& arguments, ProgressBar& bar, const std::string& content, const std::string& lost) {
+void print(const ConvertArguments& arguments, ProgressBar& bar, const std::string& content) {
   bar.finish();
   if (arguments.quiet || is_standard_output(arguments.output)) return;
   fmt::print("{}: {}\n", arguments.input.string(), content);
-  if (!lost.empty()) fmt::print("note    {} cannot store: {}\n", arguments.output.extension().string(), lost);
   fmt::print("wrote   {}\n", arguments.output.string());
 }
 
 Status convert(const ConvertArguments& arguments, const Pslg& domain, ProgressBar& bar) {
   if (Status written = write_poly(domain, arguments.output, domain.first_id.value); !written) return written;
-  print(arguments, bar, plural(domain.points.size(), "point") + ", " + plural(domain.segments.size(), "segment"), {});
+  print(arguments, bar, plural(domain.points.size(), "point") + ", " + plural(domain.segments.size(), "segment"));
   return Done{};
 }
 
@@ -106,8 +93,10 @@ Status convert(const ConvertArguments& arguments, const Mesh& mesh, ProgressBar&
   const Result<std::string> no_domain = write(arguments, mesh);
   if (!no_domain) return no_domain.error();
   print(arguments, bar,
-        plural(mesh.points.size(), "vertex", "vertices") + ", " + plural(mesh.triangles.size(), "triangle"),
-        lost(mesh, arguments.output));
+        plural(mesh.points.size(), "vertex", "vertices") + ", " + plural(mesh.triangles.size(), "triangle"));
+  note_beside_mesh(mesh, arguments.input);
+  note_losses(losses(mesh, format_of_output(arguments.output, arguments.format.of_stream)), arguments.output,
+              arguments.format.of_stream);
   if (!no_domain->empty() && !arguments.quiet) {
     fmt::print("note    the .poly has no holes and regions, because the boundary of the mesh is no domain:\n{}\n",
                *no_domain);
@@ -142,8 +131,9 @@ Command add_convert(CLI::App& program) {
   add_mesh_format_options(*app, arguments->format);
   app->add_flag("-q,--quiet", arguments->quiet, "Print nothing on standard output");
   app->footer(
-      R"(The numbering of the vertices, coordinates, regions, markers and constrained edges stay the same. A note
-names what the format of OUT cannot store.
+      R"(The numbering of the vertices, coordinates, regions, markers and constrained edges stay the same, and
+so do fields (values at points and in triangles) and names of regions and markers. A note on standard error names
+what the format of OUT cannot store.
 
 Examples:
   pardel convert key.msh key.vtu

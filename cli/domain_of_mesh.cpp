@@ -133,6 +133,7 @@ Error with_numbers_of(const Mesh& mesh, const Error& of_outline) {
 /// is not covered by the mesh. Such a face is a hole, unless it reaches the hull: then it belongs to the exterior.
 Result<std::vector<Point>> hole_seeds(const Mesh& mesh) {
   const Pslg outline = outline_of(mesh);
+  if (outline.segments.empty()) return std::vector<Point>();
   const Result<Meshed> hull = triangulate(outline, true);
   if (!hull) return with_numbers_of(mesh, hull.error());
   const Mesh& around = hull.value().mesh;

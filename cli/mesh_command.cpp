@@ -16,6 +16,7 @@
 #include "../core/support/stopwatch.hpp"
 #include "../parallel/mesher.hpp"
 #include "../properties/checker/check.hpp"
+#include "beside_mesh.hpp"
 #include "command.hpp"
 #include "findings_text.hpp"
 #include "gaps_text.hpp"
@@ -59,6 +60,7 @@ Result<MeshInput, Refusal> read(const MeshArguments& arguments, ProgressBar& bar
   if (arguments.refine) {
     Result<CoarseMesh> coarse = read_coarse_mesh(arguments.input);
     if (!coarse) return Refusal(coarse.error());
+    note_beside_mesh(coarse->mesh, arguments.input, ", which the refined mesh does not have");
     Result<GivenSizes> sizes = read_given_sizes(arguments.goal);
     if (!sizes) return Refusal(sizes.error());
     seconds.read = watch.lap();
@@ -106,8 +108,11 @@ Refusal why_not_meshed(const MeshArguments& arguments, const MeshInput& input, c
 }
 
 Result<Meshed> make_mesh(const MeshInput& input, const Goal& goal, const Options& options) {
-  if (const auto* coarse = std::get_if<CoarseMesh>(&input.source))
-    return refine(coarse->mesh, coarse->max_areas, goal, options);
+  if (const auto* coarse = std::get_if<CoarseMesh>(&input.source)) {
+    Result<Meshed> refined = refine(coarse->mesh, coarse->max_areas, goal, options);
+    if (refined) refined->mesh.names = coarse->mesh.names;  // markers and regions stay the same
+    return refined;
+  }
   return mesh(std::get<ValidPslg>(input.source), goal, options);
 }
 
@@ -165,6 +170,7 @@ Status write_outputs(const MeshArguments& arguments, const Mesh& mesh, const Psl
     bar.begin("writing " + output.string());
     const std::optional<MeshFormat> format = output == "-" ? arguments.format.of_stream : std::nullopt;
     if (Status written = write_mesh(mesh, pslg, output, arguments.format.msh(), format); !written) return written;
+    note_losses(losses_beside_mesh(mesh, format_of_output(output, format)), output, format);
   }
   return Done{};
 }
@@ -180,7 +186,7 @@ void describe(const MeshArguments& arguments, const Pslg& pslg, const Goal& goal
   run.goal = goal;
   const auto has_cap = [](const Region& region) { return std::isfinite(region.max_area); };
   run.region_caps_unused = !goal.region_caps && std::ranges::any_of(pslg.regions, has_cap);
-  run.has_attributes = pslg.attributes_per_point > 0;
+  run.names = meshed.mesh.names;
   run.hull_by_default = !arguments.refine && !arguments.goal.convex_hull && pslg.segments.empty();
   run.sizes = arguments.goal.sizes;
   run.sources = arguments.goal.sources;

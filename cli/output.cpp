@@ -32,11 +32,6 @@ Error unknown_mesh_format(const fs::path& file) {
 
 }  // namespace
 
-bool stores_data_of_points(const fs::path& file) {
-  const std::optional<MeshFormat> format = mesh_format(file);
-  return format != MeshFormat::msh && format != MeshFormat::off;
-}
-
 Status write_text(std::string_view text, const fs::path& file) {
   if (file == "-") {
     if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size()) return io_error("standard output", errno);

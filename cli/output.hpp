@@ -21,9 +21,6 @@ namespace pardel::cli {
 /// Writes `text` to `file`; "-" is standard output. A regular file gets its name only when it is complete.
 [[nodiscard]] Status write_text(std::string_view text, const std::filesystem::path& file);
 
-/// False if the format of a mesh file has no place for markers and attributes of points.
-[[nodiscard]] bool stores_data_of_points(const std::filesystem::path& file);
-
 /// Checks the option --format: it is needed if one of the outputs is "-", and only then.
 [[nodiscard]] Status check_stream_format(std::span<const std::filesystem::path> outputs,
                                          std::optional<MeshFormat> format);

@@ -1,11 +1,22 @@
 #include "renumber.hpp"
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
 namespace pardel::cli {
 namespace {
+
+Array<double> renumbered(const Field& field, std::span<const Index> number, std::size_t count) {
+  const std::size_t width = field.components;
+  Array<double> values(count * width, std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t old = 0; old < number.size(); ++old)
+    if (number[old] != no_index)
+      std::copy_n(field.values.begin() + old * width, width, values.begin() + number[old] * width);
+  return values;
+}
 
 /// Vertex `old` becomes vertex `number[old]`; it is removed if `number[old]` is no_index. The new numbers are distinct
 /// and below `count`. The caller fills the data of new vertices that no old vertex becomes.
@@ -24,6 +35,8 @@ void renumber(Mesh& mesh, std::span<const Index> number, std::size_t count) {
       attributes[number[old] * width + k] = mesh.point_attributes[old * width + k];
     }
   }
+  for (Field& field : mesh.fields)
+    if (field.place == Field::Place::points) field.values = renumbered(field, number, count);
   mesh.points.swap(points);
   mesh.origin.swap(origin);
   mesh.point_attributes.swap(attributes);

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "../core/formats.hpp"
+#include "beside_mesh.hpp"
 #include "gaps_text.hpp"
 #include "json_text.hpp"
 #include "memory.hpp"
@@ -165,6 +166,19 @@ std::string filling_text(const Report& report, bool asked_for) {
                      report.restarts > 0 ? fmt::format(", after {}", plural(report.restarts, "restart")) : "");
 }
 
+std::string names_text(const std::vector<GroupName>& names) {
+  std::vector<std::string> texts;
+  for (const GroupName& name : names) texts.push_back(text_of(name));
+  return names.empty() ? "" : fmt::format("names   {}\n", fmt::join(texts, ", "));
+}
+
+nlohmann::ordered_json names_json(const std::vector<GroupName>& names) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const GroupName& name : names)
+    list.push_back({{name.of == GroupName::Of::marker ? "marker" : "region", name.value}, {"name", name.name}});
+  return list;
+}
+
 }  // namespace
 
 std::string to_json(const MeshRun& run) {
@@ -195,6 +209,7 @@ std::string to_json(const MeshRun& run) {
         {"max_angle_deg", mesh.max_angle_deg},
         {"max_circumradius", mesh.max_circumradius},
         {"area", mesh.area}}},
+      {"names", names_json(run.names)},
       {"refine", refine_json(run)},
       {"gaps", gaps_json(run.report.gaps, 0)},
       {"goal_met", run.report.goal_met()},
@@ -220,6 +235,7 @@ std::string to_text(const MeshRun& run) {
   text += fmt::format("mesh    {}, {}, angles {:.2f} to {:.2f} degrees, area {:.6g}\n",
                       plural(mesh.vertices, "vertex", "vertices"), plural(mesh.triangles, "triangle"),
                       mesh.min_angle_deg, mesh.max_angle_deg, mesh.area);
+  text += names_text(run.names);
   text += filling_text(run.report, run.options.interior == Interior::fill);
   if (const std::string list = reasons(run.report, true); !list.empty()) {
     text += fmt::format("exempt  {}, each at a small input angle\n", list);
@@ -230,11 +246,7 @@ std::string to_text(const MeshRun& run) {
   text += fmt::format("time    {:.3f} s (read {:.3f}, mesh {:.3f}, check {:.3f}, write {:.3f}, statistics {:.3f})\n",
                       s.total, s.read, s.validate + s.triangulate + s.refine, s.check, s.write, s.statistics);
   text += fmt::format("digest  {}\n", to_string(run.digest));
-  for (const auto& file : run.outputs) {
-    text += fmt::format("wrote   {}\n", fmt::join(written_files(file), ", "));
-    if (run.has_attributes && !stores_data_of_points(file))
-      text += fmt::format("note    {} cannot store: attributes of points\n", file.extension().string());
-  }
+  for (const auto& file : run.outputs) text += fmt::format("wrote   {}\n", fmt::join(written_files(file), ", "));
   return text;
 }
 

@@ -42,7 +42,7 @@ struct MeshRun {
   std::optional<LeastSize> large;   ///< if the mesh needs very many triangles
   bool hull_by_default = false;     ///< the domain has no segments, and --convex-hull is not given
   bool region_caps_unused = false;  ///< regions have area caps, but the goal ignores them
-  bool has_attributes = false;      ///< the points have
+  std::vector<GroupName> names;     ///< of markers and regions
   std::filesystem::path sizes;      ///< the file of --sizes, or empty
   std::filesystem::path sources;    ///< the file of --sources, or empty
   Options options;

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <span>
 
 #include "../core/formats.hpp"
 #include "../core/support/shortest.hpp"
@@ -16,11 +18,25 @@ using Size = Result<std::function<double(Point)>>;
 
 using Sources = Result<std::vector<SizeSource>>;
 
-/// The first attribute of each point.
+/// The field `size`, else the first field of single numbers, else the first field; null if there is none at points.
+const Field* field_of_sizes(const Mesh& mesh) {
+  const auto first = [&](const auto& is_meant) {
+    const auto found = std::ranges::find_if(
+        mesh.fields, [&](const Field& field) { return field.place == Field::Place::points && is_meant(field); });
+    return found == mesh.fields.end() ? nullptr : &*found;
+  };
+  const Field* field = first([](const Field& f) { return f.name == "size"; });
+  if (field == nullptr) field = first([](const Field& f) { return f.components == 1; });
+  return field != nullptr ? field : first([](const Field&) { return true; });
+}
+
+/// The first attribute of each point or, if points have no attributes, the first value of field_of_sizes().
 std::vector<double> sizes_at_points(const Mesh& mesh) {
+  const Field* field = mesh.attributes_per_point > 0 ? nullptr : field_of_sizes(mesh);
+  const std::span<const double> values = (field != nullptr ? field->values : mesh.point_attributes).span();
+  const std::size_t width = field != nullptr ? field->components : mesh.attributes_per_point;
   std::vector<double> sizes;
-  for (std::size_t i = 0; i < mesh.points.size(); ++i)
-    sizes.push_back(mesh.point_attributes[i * mesh.attributes_per_point]);
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) sizes.push_back(values[i * width]);
   return sizes;
 }
 
@@ -44,14 +60,20 @@ Size function_of(const Raster& raster, const std::string& name, const ValidPslg&
 }
 
 Size function_of(const Mesh& background, const std::string& name, const ValidPslg&) {
-  const std::size_t width = background.attributes_per_point;
-  if (width == 0) {
+  if (background.attributes_per_point == 0 && field_of_sizes(background) == nullptr) {
     return Error{ErrorKind::invalid_input,
-                 fmt::format("{}: the mesh has no values at its points that could be edge lengths (in a .vtu the point "
-                             "array 'size' or 'attributes', in a .msh $NodeData, in a .node the first attribute)",
+                 fmt::format("{}: the mesh has no values at its points that could be edge lengths (in a .vtu a point "
+                             "array such as 'size' or 'attributes', in a .msh $NodeData, in a .node the first "
+                             "attribute)",
                              name)};
   }
-  Size size = interpolated_size(background, sizes_at_points(background), {}, name);
+  const std::vector<double> sizes = sizes_at_points(background);
+  if (const auto none = std::ranges::find_if(sizes, [](double size) { return std::isnan(size); });
+      none != sizes.end()) {
+    return Error{ErrorKind::invalid_input, fmt::format("{}: point {} has no value that could be an edge length", name,
+                                                       none - sizes.begin() + background.first_id.value)};
+  }
+  Size size = interpolated_size(background, sizes, {}, name);
   if (!size) return Error{size.error().kind, name + ": " + size.error().message};
   return size;
 }

@@ -18,7 +18,8 @@ namespace pardel::cli {
 /// One edge length per input point.
 using PointSizes = std::vector<double>;
 /// What a file of edge lengths has; nothing if there is no file.
-/// Of a mesh, the first attribute of a point is the length there.
+/// Of a mesh, the first attribute of a point is the length there; if it has none, the field `size`, else the first
+/// field of single numbers, else the first value of the first field.
 using SizeField = std::variant<std::monostate, PointSizes, Raster, Mesh>;
 
 /// Reads a file of edge lengths: a raster if the suffix is .asc or .npy, a mesh if it is the suffix of a mesh. An empty

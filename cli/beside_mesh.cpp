@@ -1,0 +1,103 @@
+#include "beside_mesh.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
+#include "drawing/valid_utf8.hpp"
+#include "exit_code.hpp"
+
+namespace pardel::cli {
+namespace {
+
+using List = std::vector<std::string>;
+
+/// The parts of a mesh that only some formats store.
+struct Stores {
+  bool regions = true, data_of_points = true, fields = false, names = false, times = false;
+};
+Stores stores(MeshFormat format) {
+  switch (format) {
+    case MeshFormat::msh:
+      return {.data_of_points = false, .fields = true, .names = true, .times = true};
+    case MeshFormat::vtu:
+      return {.fields = true, .names = true};
+    case MeshFormat::off:
+      return {.regions = false, .data_of_points = false};
+    case MeshFormat::triangle:
+    case MeshFormat::svg:
+      break;
+  }
+  return {};
+}
+
+/// A name from a file, in quotation marks. A terminal obeys control characters, so they become blanks.
+std::string in_marks(std::string_view name) {
+  std::string text = valid_utf8(name);
+  std::ranges::replace_if(
+      text, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, ' ');
+  return "\"" + text + "\"";
+}
+
+std::string joined(const List& list) { return fmt::format("{}", fmt::join(list, ", ")); }
+
+std::string_view place_of(const Field& field) {
+  return field.place == Field::Place::points ? "at points" : "in triangles";
+}
+
+void add_losses_beside(const Mesh& mesh, const Stores& kept, List& list) {
+  if (!kept.data_of_points && mesh.attributes_per_point > 0) list.emplace_back("attributes of points");
+  if (!kept.fields)
+    for (const Field& field : mesh.fields) list.push_back("the field " + in_marks(field.name));
+  if (!kept.names)
+    for (const GroupName& name : mesh.names) list.push_back("the name " + in_marks(name.name));
+  const bool has_times = std::ranges::any_of(mesh.fields, [](const Field& field) { return field.time != 0; });
+  if (kept.fields && !kept.times && has_times) list.emplace_back("times of fields");
+}
+
+}  // namespace
+
+void note_beside_mesh(const Mesh& mesh, const std::filesystem::path& file, const std::string& use) {
+  List fields;
+  for (const Field& field : mesh.fields) fields.push_back(fmt::format("{} {}", in_marks(field.name), place_of(field)));
+  if (!fields.empty())
+    warn(fmt::format("{}: note: the file has {} {}{}", file.string(), fields.size() == 1 ? "the field" : "the fields",
+                     joined(fields), use));
+  if (const List& things = mesh.left_out.things(); !things.empty())
+    warn(fmt::format("{}: note: not read: {}", file.string(), joined(things)));
+}
+
+std::string losses(const Mesh& mesh, MeshFormat format) {
+  const Stores kept = stores(format);
+  List list;
+  if (!kept.regions && !mesh.region_attributes.empty()) list.emplace_back("regions");
+  if (!kept.data_of_points && !mesh.point_markers.empty()) list.emplace_back("markers of points");
+  add_losses_beside(mesh, kept, list);
+  return joined(list);
+}
+
+std::string losses_beside_mesh(const Mesh& mesh, MeshFormat format) {
+  List list;
+  add_losses_beside(mesh, stores(format), list);
+  return joined(list);
+}
+
+void note_losses(const std::string& list, const std::filesystem::path& file, std::optional<MeshFormat> format) {
+  if (list.empty()) return;
+  const bool is_stream = format && !mesh_format(file);
+  warn(fmt::format("{}: note: {} cannot store: {}", file.string(), is_stream ? "its format" : file.extension().string(),
+                   list));
+}
+
+MeshFormat format_of_output(const std::filesystem::path& file, std::optional<MeshFormat> of_stream) {
+  return of_stream && file == "-" ? *of_stream : mesh_format(file).value_or(MeshFormat::svg);
+}
+
+std::string text_of(const GroupName& name) {
+  return fmt::format("{} {} {}", name.of == GroupName::Of::marker ? "marker" : "region", name.value, in_marks(name.name));
+}
+
+}  // namespace pardel::cli

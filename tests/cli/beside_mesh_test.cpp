@@ -1,0 +1,159 @@
+// What files carry beside a mesh is kept, or a line on standard error names what is lost.
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "program.hpp"
+
+namespace pardel::testing {
+namespace {
+
+using nlohmann::json;
+
+/// A square of two triangles with names, a field at its nodes and one in its triangles.
+constexpr const char* tank_msh = R"($MeshFormat
+2.2 0 8
+$EndMeshFormat
+$PhysicalNames
+2
+1 1 "wall of the tank"
+2 2 "water"
+$EndPhysicalNames
+$Nodes
+4
+1 0 0 0
+2 1 0 0
+3 1 1 0
+4 0 1 0
+$EndNodes
+$Elements
+6
+1 1 2 1 1 1 2
+2 1 2 1 1 2 3
+3 1 2 1 1 3 4
+4 1 2 1 1 4 1
+5 2 2 2 1 1 2 3
+6 2 2 2 1 1 3 4
+$EndElements
+$NodeData
+1
+"T"
+1
+0.5
+3
+0
+1
+4
+1 0.2
+2 0.2
+3 0.2
+4 0.2
+$EndNodeData
+$ElementData
+1
+"flow"
+0
+3
+0
+2
+2
+5 1 2
+6 3 4
+$EndElementData
+$Periodic
+0
+$EndPeriodic
+)";
+
+class BesideMesh : public Workshop {
+ protected:
+  BesideMesh() {
+    write("tank.msh", tank_msh);
+    write("square.poly", square_poly);
+  }
+};
+
+TEST_F(BesideMesh, one_note_names_the_fields_and_one_what_is_not_read) {
+  const Ran ran = pardel({"check", "square.poly", "tank.msh", "-q"});
+  EXPECT_EQ(ran.exit_code, 1) << "the markers are others";
+  EXPECT_EQ(ran.out, "");
+  EXPECT_EQ(ran.err,
+            "pardel: tank.msh: note: the file has the fields \"T\" at points, \"flow\" in triangles, which the check "
+            "does not use\npardel: tank.msh: note: not read: the section $Periodic\n");
+}
+
+TEST_F(BesideMesh, fields_and_names_go_from_msh_to_vtu_and_back) {
+  const std::string note = "the file has the fields \"T\" at points, \"flow\" in triangles\n";
+  ASSERT_EQ(pardel({"convert", "tank.msh", "direct.msh", "--msh-ascii"}).exit_code, 0);
+  EXPECT_TRUE(holds(read("direct.msh"), {"\"wall of the tank\"", "\"water\"", "$NodeData\n1\n\"T\"\n1\n0.5\n",
+                                         "$ElementData\n1\n\"flow\"\n", "\n5 1 2\n6 3 4\n"}));
+  const Ran there = pardel({"convert", "tank.msh", "tank.vtu"});
+  EXPECT_TRUE(holds(there.err, {note, "tank.vtu: note: .vtu cannot store: times of fields\n"})) << there;
+  const Ran back = pardel({"convert", "tank.vtu", "back.msh", "--msh-ascii"});
+  EXPECT_EQ(back.err, "pardel: tank.vtu: note: " + note);
+  std::string expected = read("direct.msh");
+  expected.replace(expected.find("\n0.5\n3\n"), 7, "\n0\n3\n");
+  EXPECT_EQ(read("back.msh"), expected);
+}
+
+TEST_F(BesideMesh, a_format_without_fields_and_names_makes_a_note) {
+  for (const std::string to : {"t.off", "t.node"}) {
+    const Ran ran = pardel({"convert", "tank.msh", to});
+    EXPECT_EQ(ran.exit_code, 0) << ran;
+    EXPECT_TRUE(holds(ran.err, {" cannot store: ",
+                                "the field \"T\", the field \"flow\", the name \"wall of the tank\", "
+                                "the name \"water\"\n"}))
+        << ran;
+  }
+}
+
+TEST_F(BesideMesh, middle_nodes_that_are_left_out_make_a_note) {
+  ASSERT_EQ(pardel({"triangle", "-po2Q", "square.poly"}).exit_code, 0);
+  EXPECT_EQ(pardel({"convert", "square.1.ele", "s.vtu"}).err,
+            "pardel: square.1.ele: note: not read: the middle nodes of triangles\n");
+}
+
+TEST_F(BesideMesh, a_refined_mesh_keeps_the_names_and_the_report_lists_them) {
+  const Ran ran = pardel({"mesh", "--refine", "tank.msh", "-o", "finer.msh", "-o", "finer.off", "--max-area", "0.1",
+                          "--json", "report.json", "--msh-ascii"});
+  ASSERT_EQ(ran.exit_code, 0) << ran;
+  EXPECT_TRUE(holds(ran.out, {"\nnames   marker 1 \"wall of the tank\", region 2 \"water\"\n"})) << ran;
+  EXPECT_TRUE(
+      holds(ran.err, {"\"flow\" in triangles, which the refined mesh does not have\n",
+                      "finer.off: note: .off cannot store: the name \"wall of the tank\", the name \"water\"\n"}))
+      << ran;
+  EXPECT_TRUE(holds(read("finer.msh"), {"1 1 \"wall of the tank\"\n2 2 \"water\"\n"}));
+  const json report = json::parse(read("report.json"));
+  EXPECT_EQ(report["names"],
+            json::parse(R"([{"marker": 1, "name": "wall of the tank"}, {"region": 2, "name": "water"}])"));
+}
+
+TEST_F(BesideMesh, the_first_field_of_single_numbers_has_the_sizes) {
+  ASSERT_EQ(pardel({"convert", "tank.msh", "tank.vtu"}).exit_code, 0);
+  for (const std::string sizes : {"tank.msh", "tank.vtu"}) {
+    const Ran ran = pardel({"mesh", "square.poly", "-o", "m.off", "--sizes", sizes, "--json", "-"});
+    ASSERT_EQ(ran.exit_code, 0) << ran;
+    EXPECT_GT(json::parse(ran.out)["mesh"]["triangles"], 30) << sizes;
+  }
+}
+
+TEST_F(BesideMesh, a_point_without_a_size_is_named_as_in_its_file) {
+  std::string text = tank_msh;
+  text.replace(text.find("4\n1 0.2\n2 0.2\n3 0.2\n"), 20, "3\n1 0.2\n2 0.2\n");
+  write("gap.msh", text);
+  const Ran ran = pardel({"mesh", "square.poly", "-o", "m.off", "--sizes", "gap.msh"});
+  EXPECT_EQ(ran.exit_code, 3) << ran;
+  EXPECT_TRUE(holds(ran.err, {"gap.msh: point 3 has no value that could be an edge length"})) << ran;
+}
+
+TEST_F(BesideMesh, names_from_files_do_not_control_the_terminal) {
+  std::string text = tank_msh;
+  text.replace(text.find("\"T\""), 3, "\"T\x1b[31m\xff\"");
+  write("odd.msh", text);
+  const Ran ran = pardel({"convert", "odd.msh", "odd.off"});
+  EXPECT_EQ(ran.exit_code, 0) << ran;
+  EXPECT_EQ(ran.err.find('\x1b'), std::string::npos) << ran;
+}
+
+}  // namespace
+}  // namespace pardel::testing
