@@ -114,7 +114,7 @@ void add_options(CLI::App& app, Arguments& arguments) {
   add_ways_to_work(app, arguments.options, arguments.cells);
   app.add_option("--interior", arguments.options.interior,
                  "What fills the interior where areas and edges have constant bounds: refine (default); fill and\n"
-                 "auto: see 'pardel mesh --help'")
+                 "auto (the default of 'pardel mesh'): see 'pardel mesh --help'")
       ->transform(choice(interior_names))
       ->type_name("WHAT");
   app.add_option("--read", arguments.reading,
@@ -427,11 +427,9 @@ Result<ExitCode> run_mesh(Arguments& arguments, Job& job) {
 
 Command add_mesh(CLI::App& program, Job& job) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* app = program.add_subcommand("mesh",
-                                         "Make a guaranteed-quality mesh of a domain, in pieces.\n"
-                                         "The interior is refined by default, as with 'pardel mesh --interior refine';"
-                                         " 'pardel mesh' has the default auto, which\n"
-                                         "makes another mesh");
+  CLI::App* app = program.add_subcommand(
+      "mesh",
+      "Make a guaranteed-quality mesh of a domain, in pieces; by default that of 'pardel mesh --interior refine'");
   add_options(*app, *arguments);
   return {app, [arguments, &job] { return run_mesh(*arguments, job); }};
 }

@@ -100,7 +100,7 @@ TEST_F(BothPrograms, say_why_they_lack_an_option_of_the_other_one) {
 
 TEST_F(BothPrograms, say_at_the_top_of_the_help_that_their_default_interiors_differ) {
   const std::string help = on_ranks(1, {"mesh", "--help"}).out;
-  const std::size_t said = help.find("The interior is refined by default");
+  const std::size_t said = help.find("by default that of 'pardel mesh --interior refine'");
   EXPECT_LT(said, help.find("Usage:"));
 }
 
