@@ -11,7 +11,8 @@ namespace pardel {
 /// an error of chain_units * ux in x and of chain_units * uy in y can cause: with (dx, dy) from one end to the other,
 ///     chain_units * (ux * |dy| + uy * |dx|) / sqrt(dx^2 + dy^2).
 /// A vertex that is computed on a segment has rounded coordinates. Each is off by at most half a unit if it is rounded
-/// once. The rest is for meshers that round more than once.
+/// once. The rest is for meshers that round more than once. The points of a straight path of segments
+/// (model/straight_paths.hpp) may lie as far off the line through its ends.
 inline constexpr double chain_units = 2;
 
 /// If a segment has no chain within chain_units, the checker looks for the chain that was meant, to report its vertices

@@ -11,6 +11,7 @@
 //   the end of the shorter one.
 // In both cases the angle has to be at least arctan(sin θ / (2 - cos θ)), that of a triangle with its third corner on
 // the next shell, twice as far away.
+// Straight paths of segments count as segments (model/straight_paths.hpp).
 // Rounded vertices count as equally distant within a tolerance, see tolerances.hpp.
 #pragma once
 
