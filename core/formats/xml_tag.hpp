@@ -22,16 +22,19 @@ struct XmlTag {
   /// The value of an attribute, as it is written; empty if the tag does not have it. A value that does not end is all
   /// that follows, so that it is noticed.
   [[nodiscard]] std::string_view operator[](std::string_view key) const {
-    for (std::size_t at = attributes.find(key); at != std::string_view::npos; at = attributes.find(key, at + 1)) {
-      if (xml_blanks.find(attributes[at - 1]) == std::string_view::npos) continue;  // attributes begin with a blank
-      std::string_view rest = attributes.substr(at + key.size());
-      const auto skip_blanks = [&] { rest.remove_prefix(std::min(rest.find_first_not_of(xml_blanks), rest.size())); };
+    std::string_view rest = attributes;
+    const auto skip_blanks = [&] { rest.remove_prefix(std::min(rest.find_first_not_of(xml_blanks), rest.size())); };
+    for (skip_blanks(); !rest.empty(); skip_blanks()) {
+      const std::string_view attribute = rest.substr(0, rest.find_first_of(" \t\r\n="));
+      rest.remove_prefix(attribute.size());
       skip_blanks();
       if (!rest.starts_with('=')) continue;
       rest.remove_prefix(1);
       skip_blanks();
-      if (rest.size() < 2 || (rest[0] != '"' && rest[0] != '\'')) continue;
-      return rest.substr(1, rest.find(rest[0], 1) - 1);
+      if (rest.empty() || (rest[0] != '"' && rest[0] != '\'')) continue;
+      const std::string_view value = rest.substr(1, rest.find(rest[0], 1) - 1);
+      if (attribute == key) return value;
+      rest.remove_prefix(std::min(value.size() + 2, rest.size()));
     }
     return {};
   }

@@ -114,6 +114,17 @@ TEST(VtuFields, get_names_that_the_mesh_does_not_need) {
   EXPECT_EQ(read->fields.size(), 4U);
 }
 
+TEST(VtuFields, may_have_names_that_look_like_attributes) {
+  const TemporaryFolder folder;
+  Mesh mesh = mesh_with_fields();
+  mesh.fields[0].name = "x format=";
+  mesh.fields[1].name = " NumberOfComponents='7' offset=";
+  ASSERT_TRUE(write_vtu(mesh, folder / "m.vtu"));
+  const Result<Mesh> read = read_mesh(folder / "m.vtu");
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(read->fields, mesh.fields);
+}
+
 /// The writer computes an array of this name; another program may mean something else by it.
 TEST(VtuFields, quality_is_a_field_unless_it_is_the_smallest_angle) {
   const TemporaryFolder folder;
