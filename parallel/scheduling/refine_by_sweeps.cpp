@@ -152,7 +152,7 @@ class Refinement {
       const Array<WorkAt> work = pending_.work(criteria_);
       const double most = allowed(work);
       for (int halvings = 0; halvings < 2; ++halvings) finer = finer.divided(per_leaf(work, finer), most);
-      if (finer.cells() == present.cells()) break;
+      if (finer.cells() == present.cells() || counts_.budget_reached) break;
       refine_due(present, short_enough_for(*present.quadtree(), finer));
       levels.emplace_back(std::move(finer));
     }
