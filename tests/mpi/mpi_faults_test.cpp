@@ -13,6 +13,7 @@
 #include "../../properties/domains/generators/random.hpp"
 #include "../cli/program.hpp"
 #include "../faults/selection.hpp"
+#include "mpi_workshop.hpp"
 
 namespace pardel {
 namespace {
@@ -31,9 +32,7 @@ const Files outputs = {"out.pvtu", "out_0000.vtu", "out_0001.vtu", "out_0002.vtu
 class MpiFaults : public testing::Workshop {
  protected:
   MpiFaults() {
-    // Open MPI does not start as root unless it is told to.
-    setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
-    setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
+    testing::prepare_for_jobs();
     setenv("PARDEL_FAILING_CALLS", PARDEL_FAILING_CALLS, 1);
     EXPECT_TRUE(write_poly(domains::pipe(), folder_ / "work" / "pipe.poly"));
   }
