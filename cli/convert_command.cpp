@@ -83,7 +83,7 @@ Result<std::string> write(const ConvertArguments& arguments, const Mesh& mesh) {
     return done(write_mesh(mesh, {}, arguments.output, arguments.format.msh(), arguments.format.of_stream), {});
   // The .poly contains the holes and the regions, too.
   const Result<Pslg> pslg = domain_with(arguments.input, mesh);
-  if (!pslg && pslg.error().kind != ErrorKind::invalid_input) return with_name(pslg.error(), arguments.input.string());
+  if (!pslg && pslg.error().kind != ErrorKind::invalid_input) return pslg.error();
   const fs::path stem = fs::path(arguments.output).replace_extension();
   return done(write_triangle_files(mesh, pslg ? *pslg : Pslg{}, stem, {.base = mesh.first_id.value}),
               pslg ? "" : pslg.error().message);

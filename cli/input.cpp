@@ -62,7 +62,9 @@ Result<Pslg> domain_with(const fs::path& file, const Mesh& mesh) {
     Result<Pslg> pslg = read_pslg(poly);
     if (!pslg || pslg->points.size() == mesh.points.size()) return pslg;
   }
-  return domain_of(mesh);
+  Result<Pslg> domain = domain_of(mesh);
+  if (!domain) return with_name(domain.error(), file.string());
+  return domain;
 }
 
 Result<CoarseMesh> read_coarse_mesh(const fs::path& file) {

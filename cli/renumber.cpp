@@ -37,6 +37,7 @@ void renumber(Mesh& mesh, std::span<const Index> number, std::size_t count) {
   }
   for (Field& field : mesh.fields)
     if (field.place == Field::Place::points) field.values = renumbered(field, number, count);
+  mesh.numbers = {};
   mesh.points.swap(points);
   mesh.origin.swap(origin);
   mesh.point_attributes.swap(attributes);

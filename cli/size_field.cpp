@@ -70,8 +70,9 @@ Size function_of(const Mesh& background, const std::string& name, const ValidPsl
   const std::vector<double> sizes = sizes_at_points(background);
   if (const auto none = std::ranges::find_if(sizes, [](double size) { return std::isnan(size); });
       none != sizes.end()) {
-    return Error{ErrorKind::invalid_input, fmt::format("{}: point {} has no value that could be an edge length", name,
-                                                       none - sizes.begin() + background.first_id.value)};
+    return Error{ErrorKind::invalid_input,
+                 fmt::format("{}: point {} has no value that could be an edge length", name,
+                             number_in_file(background, static_cast<Index>(none - sizes.begin())))};
   }
   Size size = interpolated_size(background, sizes, {}, name);
   if (!size) return Error{size.error().kind, name + ": " + size.error().message};

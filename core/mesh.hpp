@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "array.hpp"
@@ -40,6 +41,13 @@ inline constexpr Index hull_vertex = no_index - 1;
 /// The segment of such an origin. Of the other origins: a number that is no segment, greater than all segments.
 [[nodiscard]] constexpr Index segment_of_origin(Index origin) { return origin - 1; }
 
+/// The numbers of the points in the file of a mesh, if they are not those that FirstId gives: the tags of a .msh. Only
+/// messages use them. No result depends on them, so all values compare equal.
+struct NumbersInFile {
+  std::vector<std::uint64_t> of_points;
+  friend bool operator==(const NumbersInFile&, const NumbersInFile&) { return true; }
+};
+
 struct Mesh {
   Array<Point> points;  ///< input points first, in their order, then Steiner points
   Array<Triangle> triangles;
@@ -51,11 +59,18 @@ struct Mesh {
   Array<double> point_attributes;  ///< point by point: points.size() * attributes_per_point numbers
   Array<int> point_markers;        ///< empty, or one per point
   FirstId first_id{};              ///< the number of the first point in the file of the mesh
+  NumbersInFile numbers{};         ///< empty, or one per point
   std::vector<Field> fields;       ///< their values are one per point or triangle and component
   std::vector<GroupName> names;    ///< at most one per marker and per region
   LeftOut left_out{};              ///< of the file of the mesh
 
   friend bool operator==(const Mesh&, const Mesh&) = default;
 };
+
+/// The number of a point in the file of the mesh.
+[[nodiscard]] inline std::uint64_t number_in_file(const Mesh& mesh, Index point) {
+  const std::vector<std::uint64_t>& numbers = mesh.numbers.of_points;
+  return point < numbers.size() ? numbers[point] : std::uint64_t{point} + static_cast<unsigned>(mesh.first_id.value);
+}
 
 }  // namespace pardel

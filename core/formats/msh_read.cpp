@@ -54,6 +54,8 @@ class MshReader {
     if (std::any_of(attributes_.begin(), attributes_.end(), has_region)) set_regions(mesh_, attributes_.span());
     rebuild_neighbours(mesh_.triangles, mesh_.points.size());
     mesh_.first_id = {1};
+    if (nodes_.size() > 0 && nodes_.tag(nodes_.size() - 1) != nodes_.size())
+      for (std::size_t i = 0; i < nodes_.size(); ++i) mesh_.numbers.of_points.push_back(nodes_.tag(i));
     return MshPiece{{std::move(mesh_), std::move(number)}, partitions_};
   }
 

@@ -114,7 +114,9 @@ void remove_middles(ReadMesh& read) {
       mesh.point_attributes[kept * width + k] = mesh.point_attributes[node * width + k];
     }
     number[node] = kept++;
+    mesh.numbers.of_points.push_back(node + static_cast<unsigned>(read.base));
   }
+  if (kept > 0 && number[kept - 1] == kept - 1) mesh.numbers = {};  // all middles are at the end
   mesh.points.resize(kept);
   mesh.point_attributes.resize(kept * width);
   if (!mesh.point_markers.empty()) mesh.point_markers.resize(kept);

@@ -147,6 +147,21 @@ TEST_F(ConvertCommand, a_mesh_with_doubled_nodes_is_copied_and_messages_have_the
   EXPECT_TRUE(holds(refined.err, {"Points 2 and 4 are both at (1, 1)"})) << refined;
 }
 
+/// The tags of nodes in a .msh need not follow one another.
+TEST_F(ConvertCommand, doubled_nodes_of_a_msh_have_their_tags_in_messages) {
+  write("tags.msh",
+        "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n6\n10 0 0 0\n20 1 0 0\n30 1 1 0\n40 0 1 0\n50 1 1 0\n60 0 0 0\n"
+        "$EndNodes\n$Elements\n2\n7 2 2 1 1 10 20 30\n9 2 2 1 1 60 50 40\n$EndElements\n");
+  const Ran ran = pardel({"convert", "tags.msh", "d.ele"});
+  EXPECT_EQ(ran.exit_code, 0) << ran;
+  EXPECT_TRUE(holds(ran.out, {"tags.msh: Points 10 and 60 are both at (0, 0)", "Points 30 and 50 are both at (1, 1)"}))
+      << ran;
+  EXPECT_EQ(table("d.node")[1][0], 1) << "a .node has no such tags";
+  const Ran refined = pardel({"mesh", "--refine", "tags.msh", "-o", "r.ele"});
+  EXPECT_EQ(refined.exit_code, 3) << refined;
+  EXPECT_TRUE(holds(refined.err, {"tags.msh: Points 10 and 60 are both at (0, 0)"})) << refined;
+}
+
 TEST_F(ConvertCommand, a_point_gets_no_marker_that_it_did_not_have) {
   write("plain.node", "3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n");
   write("plain.ele", "1 3 0\n1 1 2 3\n");

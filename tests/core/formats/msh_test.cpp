@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -403,6 +404,15 @@ TEST(Msh, numbers_points_from_one) {
   const Result<Mesh> mesh = parse_msh(ascii, "f");
   ASSERT_TRUE(mesh);
   EXPECT_EQ(mesh->first_id.value, 1);
+}
+
+TEST(Msh, knows_the_tags_of_its_points) {
+  const Result<Mesh> mesh = parse_msh(ascii, "f");
+  ASSERT_TRUE(mesh);
+  for (Index v = 0; v < 4; ++v) EXPECT_EQ(number_in_file(*mesh, v), (std::array<unsigned, 4>{2, 3, 5, 9}[v]));
+  const TemporaryFolder folder;
+  ASSERT_TRUE(write_msh(*mesh, folder / "m.msh", MshEncoding::binary));
+  EXPECT_EQ(number_in_file(*read_mesh(folder / "m.msh"), 3), 4U);
 }
 
 TEST(Msh, without_nodes_has_no_corners) {

@@ -63,6 +63,7 @@ TEST(TriangleFiles, of_second_order_have_the_middles_of_edges_opposite_the_corne
   const auto read = read_mesh(folder / "m.ele");
   ASSERT_TRUE(read.ok()) << read.error().message;
   EXPECT_EQ(*read, sample_mesh());
+  EXPECT_EQ(number_in_file(*read, 5), 6U);
 }
 
 TEST(TriangleFiles, of_second_order_keep_several_attributes_of_a_point) {
@@ -103,6 +104,8 @@ TEST(TriangleFiles, of_second_order_may_have_the_middles_before_the_corners) {
   EXPECT_EQ(std::vector<int>(mesh->point_markers.begin(), mesh->point_markers.end()), (std::vector<int>{2, 4, 6, 7}));
   EXPECT_EQ(mesh->triangles[0].v, (std::array<Index, 3>{0, 1, 2}));
   EXPECT_EQ(mesh->constrained_edges, (std::vector<ConstrainedEdge>{{1, 2, no_index, 8}}));
+  for (Index v = 0; v < 4; ++v) EXPECT_EQ(number_in_file(*mesh, v), (std::array<unsigned, 4>{2, 4, 6, 7}[v]));
+  EXPECT_EQ(mesh->left_out.things(), std::vector<std::string>{"the middle nodes of triangles"});
 }
 
 /// Node 4 is the middle of an edge of the first triangle and a corner of the second one.
