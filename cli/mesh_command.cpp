@@ -118,7 +118,8 @@ Result<Meshed> make_mesh(const MeshInput& input, const Goal& goal, const Options
 
 /// Warns before the refinement if the mesh needs very many triangles, unless --max-vertices keeps it smaller.
 void watch_size(const MeshArguments& arguments, std::optional<LeastSize>& large, Options& options) {
-  constexpr double many = 50e6, usual = 2.6;  // strips of width 1e-4 have so many times the least number at 0 to 33 degrees
+  constexpr double many = 50e6,
+                   usual = 2.6;  // strips of width 1e-4 have so many times the least number at 0 to 33 degrees
   if (options.max_vertices > 0 && 2 * static_cast<double>(options.max_vertices) < many) return;
   options.before_refinement = [&](const LeastSize& least) -> Status {
     if (usual * least.triangles < many) return Done{};

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "../conversion/domain_triangulation.hpp"
-#include "local_bound.hpp"
+#include "../interpolation/local_bound.hpp"
 
 namespace pardel::engine {
 namespace {
