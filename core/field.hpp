@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "array.hpp"
-#include "support/same_attribute.hpp"
 
 namespace pardel {
 
@@ -25,8 +24,9 @@ struct Field {
 
   /// Values that are missing are equal.
   friend bool operator==(const Field& f, const Field& g) {
+    const auto is_same = [](double a, double b) { return a == b || (a != a && b != b); };
     return f.name == g.name && f.place == g.place && f.components == g.components &&
-           std::ranges::equal(f.values, g.values, is_same_attribute) && is_same_attribute(f.time, g.time);
+           std::ranges::equal(f.values, g.values, is_same) && is_same(f.time, g.time);
   }
 };
 

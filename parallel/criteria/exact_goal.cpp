@@ -22,7 +22,7 @@ struct Vector {
 
 auto dot(const Vector& u, const Vector& v) { return u.x * v.x + u.y * v.y; }
 auto cross(const Vector& u, const Vector& v) { return u.x * v.y - u.y * v.x; }
-Expansion<2> squared(double x) { return Expansion<2>(exact::two_product(x, x)); }
+Expansion<2> exact_square(double x) { return Expansion<2>(exact::two_product(x, x)); }
 
 /// True if the first number is greater than the second.
 template <std::size_t N, std::size_t M>
@@ -37,14 +37,14 @@ bool area_exceeds(Point a, Point b, Point c, double bound) {
 
 bool is_longer(Point a, Point b, double bound) {
   const Vector side(a, b);
-  return bound < INFINITY && exceeds(dot(side, side), squared(bound));
+  return bound < INFINITY && exceeds(dot(side, side), exact_square(bound));
 }
 
 /// True if the cosine of the angle at `corner` is greater than `cosine`, which is not negative.
 bool cosine_exceeds(Point corner, Point p, Point q, double cosine) {
   const Vector u(corner, p), v(corner, q);
   const auto product = dot(u, v);
-  return product.estimate() > 0 && exceeds(product * product, dot(u, u) * squared(cosine) * dot(v, v));
+  return product.estimate() > 0 && exceeds(product * product, dot(u, u) * exact_square(cosine) * dot(v, v));
 }
 
 }  // namespace

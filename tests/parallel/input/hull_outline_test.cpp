@@ -17,9 +17,9 @@ using testing::points_only;
 
 const RepairOptions automatic;
 
-/// A grid of n by n cells, turned by 17 degrees around a corner.
-Pslg turned_grid(int n, Point corner = {}) {
-  const double c = std::cos(17 * 3.14159265358979323846 / 180), s = std::sin(17 * 3.14159265358979323846 / 180);
+/// A grid of n by n cells, turned around a corner.
+Pslg turned_grid(int n, Point corner = {}, double degrees = 17) {
+  const double angle = degrees * 3.14159265358979323846 / 180, c = std::cos(angle), s = std::sin(angle);
   std::vector<Point> points;
   for (int i = 0; i <= n; ++i)
     for (int j = 0; j <= n; ++j) points.push_back({corner.x + c * i - s * j, corner.y + s * i + c * j});
@@ -56,6 +56,21 @@ TEST(HullOutline, passes_through_a_point_that_is_a_little_inside_of_a_side) {
 TEST(HullOutline, of_a_turned_grid_gives_a_good_mesh) {
   for (const int n : {2, 3, 10, 100}) expect_good_mesh(turned_grid(n), automatic);
   expect_good_mesh(turned_grid(10, {1000, -2000}), automatic);
+}
+
+TEST(HullOutline, of_grids_at_ten_angles_and_three_offsets_gives_meshes_that_keep_all_bounds) {
+  for (const int n : {2, 7, 20})
+    for (const double degrees : {1.0, 5.0, 10.0, 17.0, 23.0, 30.0, 33.0, 41.0, 45.0, 60.0})
+      for (const double offset : {0.0, 5e5, 1e7}) {
+        const Pslg pslg = turned_grid(n, {offset, offset}, degrees);
+        SCOPED_TRACE(std::to_string(n) + " cells at " + std::to_string(degrees) + ", " + std::to_string(offset));
+        expect_good_mesh(pslg, automatic);
+        const Result<Repaired> repaired = repair(pslg, automatic);
+        ASSERT_TRUE(repaired);
+        const Result<Meshed> meshed = mesh(repaired->domain, {.max_area = 0.3});
+        ASSERT_TRUE(meshed);
+        EXPECT_TRUE(meshed->report.goal_met());
+      }
 }
 
 TEST(HullOutline, joins_the_segments_of_the_domain) {
