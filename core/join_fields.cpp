@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "support/same_attribute.hpp"
+
 namespace pardel {
 namespace {
 

@@ -10,6 +10,7 @@
 
 #include "../formats.hpp"
 #include "../neighbours.hpp"
+#include "../support/same_attribute.hpp"
 #include "../support/smallest_angle.hpp"
 #include "group_names.hpp"
 #include "mesh_readers.hpp"

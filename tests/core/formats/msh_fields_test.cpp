@@ -13,6 +13,7 @@
 #include "../../../core/formats.hpp"
 #include "../../../core/formats/group_names.hpp"
 #include "../../../core/formats/mesh_readers.hpp"
+#include "../../../core/support/same_attribute.hpp"
 #include "../../temporary_folder.hpp"
 #include "../mesh_with_fields.hpp"
 #include "broken_text.hpp"
