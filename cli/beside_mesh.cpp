@@ -4,6 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <limits>
 #include <string_view>
 #include <vector>
 
@@ -17,17 +22,31 @@ using List = std::vector<std::string>;
 
 /// The parts of a mesh that only some formats store.
 struct Stores {
-  bool regions = true, data_of_points = true, fields = false, names = false, times = false;
+  enum class Regions : std::uint8_t { none, whole_numbers, all };
+  Regions regions = Regions::all;
+  bool markers_of_edges = true, markers_of_points = true;
+  std::size_t attributes_of_points = std::numeric_limits<std::size_t>::max();
+  bool fields = false, names = false, times = false;
 };
 Stores stores(MeshFormat format) {
   switch (format) {
     case MeshFormat::msh:
-      return {.data_of_points = false, .fields = true, .names = true, .times = true};
+      return {.markers_of_points = false, .attributes_of_points = 0, .fields = true, .names = true, .times = true};
     case MeshFormat::vtu:
       return {.fields = true, .names = true};
     case MeshFormat::off:
-      return {.regions = false, .data_of_points = false};
+      return {.regions = Stores::Regions::none, .markers_of_points = false, .attributes_of_points = 0};
+    case MeshFormat::two_dm:
+      return {.regions = Stores::Regions::whole_numbers, .markers_of_points = false, .attributes_of_points = 1};
+    case MeshFormat::gr3:
+      return {.regions = Stores::Regions::none,
+              .markers_of_edges = false,
+              .markers_of_points = false,
+              .attributes_of_points = 1};
+    case MeshFormat::inp:
+      return {.markers_of_points = false, .attributes_of_points = 0};
     case MeshFormat::triangle:
+    case MeshFormat::vtk:
     case MeshFormat::svg:
       break;
   }
@@ -48,8 +67,26 @@ std::string_view place_of(const Field& field) {
   return field.place == Field::Place::points ? "at points" : "in triangles";
 }
 
+/// The lost part of the regions; empty if there is none.
+std::string_view lost_regions(const Mesh& mesh, Stores::Regions kept) {
+  const auto is_whole = [](double a) { return a >= 1 && a <= std::numeric_limits<int>::max() && a == std::floor(a); };
+  if (kept == Stores::Regions::none && !mesh.region_attributes.empty()) return "regions";
+  if (kept == Stores::Regions::whole_numbers && !std::ranges::all_of(mesh.region_attributes, is_whole))
+    return "attributes of regions that are not whole numbers from 1 on";
+  return {};
+}
+
+/// True if a constrained edge has another marker than 1, which land at the boundary has, or lies inside the domain.
+bool has_more_than_a_boundary(const Mesh& mesh) {
+  std::ptrdiff_t sides = 0;
+  for (const Triangle& t : mesh.triangles) sides += std::ranges::count(t.n, no_index);
+  return std::ssize(mesh.constrained_edges) > sides ||
+         std::ranges::any_of(mesh.constrained_edges, [](const ConstrainedEdge& edge) { return edge.marker != 1; });
+}
+
 void add_losses_beside(const Mesh& mesh, const Stores& kept, List& list) {
-  if (!kept.data_of_points && mesh.attributes_per_point > 0) list.emplace_back("attributes of points");
+  if (mesh.attributes_per_point > kept.attributes_of_points)
+    list.emplace_back(kept.attributes_of_points == 0 ? "attributes of points" : "attributes of points but the first");
   if (!kept.fields)
     for (const Field& field : mesh.fields) list.push_back("the field " + in_marks(field.name));
   if (!kept.names)
@@ -73,8 +110,10 @@ void note_beside_mesh(const Mesh& mesh, const std::filesystem::path& file, const
 std::string losses(const Mesh& mesh, MeshFormat format) {
   const Stores kept = stores(format);
   List list;
-  if (!kept.regions && !mesh.region_attributes.empty()) list.emplace_back("regions");
-  if (!kept.data_of_points && !mesh.point_markers.empty()) list.emplace_back("markers of points");
+  if (const std::string_view lost = lost_regions(mesh, kept.regions); !lost.empty()) list.emplace_back(lost);
+  if (!kept.markers_of_edges && has_more_than_a_boundary(mesh))
+    list.emplace_back("markers of edges and edges inside the domain");
+  if (!kept.markers_of_points && !mesh.point_markers.empty()) list.emplace_back("markers of points");
   add_losses_beside(mesh, kept, list);
   return joined(list);
 }
@@ -97,7 +136,8 @@ MeshFormat format_of_output(const std::filesystem::path& file, std::optional<Mes
 }
 
 std::string text_of(const GroupName& name) {
-  return fmt::format("{} {} {}", name.of == GroupName::Of::marker ? "marker" : "region", name.value, in_marks(name.name));
+  return fmt::format("{} {} {}", name.of == GroupName::Of::marker ? "marker" : "region", name.value,
+                     in_marks(name.name));
 }
 
 }  // namespace pardel::cli

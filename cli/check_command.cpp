@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -45,6 +46,18 @@ struct CheckInput {
   Goal goal;
 };
 
+/// What a format has no place for cannot be compared with the domain. A .2dm and a .gr3 have one attribute, a height or
+/// depth, also if the domain has none or several. The boundaries of a .gr3 have kinds instead of markers, and segments
+/// inside the domain are missing.
+void leave_out_what_means_something_else(std::optional<MeshFormat> format, const Pslg& domain, Mesh& mesh) {
+  const bool has_heights = format == MeshFormat::two_dm || format == MeshFormat::gr3;
+  if (has_heights && domain.attributes_per_point != 1) {
+    mesh.attributes_per_point = 0;
+    mesh.point_attributes.clear();
+  }
+  if (format == MeshFormat::gr3) mesh.constrained_edges.clear();
+}
+
 Result<CheckInput, Refusal> read(const CheckArguments& arguments, ProgressBar& bar) {
   bar.begin("reading " + arguments.domain.string());
   Result<Domain> read = read_domain(arguments.domain);
@@ -56,6 +69,7 @@ Result<CheckInput, Refusal> read(const CheckArguments& arguments, ProgressBar& b
   Result<Mesh> mesh = read_mesh(arguments.mesh);
   if (!mesh) return Refusal(mesh.error());
   note_beside_mesh(*mesh, arguments.mesh, ", which the check does not use");
+  leave_out_what_means_something_else(mesh_format(arguments.mesh), domain->pslg(), *mesh);
   const Result<GivenSizes> sizes = read_given_sizes(arguments.goal);
   if (!sizes) return Refusal(sizes.error());
   Result<Goal> goal = make_goal(arguments.goal, *sizes, *domain);
@@ -114,12 +128,13 @@ Result<ExitCode> run(const CheckArguments& arguments) {
 Command add_check(CLI::App& program) {
   const auto arguments = std::make_shared<CheckArguments>();
   CLI::App* app = program.add_subcommand("check", "Prove that a mesh is right for its domain, or list what is wrong");
-  app->add_option("IN.poly", arguments->domain, "The domain: .poly or .node; - is standard input")
+  app->add_option("IN.poly", arguments->domain, "The domain: .poly, .node or .geojson; - is standard input")
       ->required()
       ->type_name("");
-  app->add_option(
-         "MESH", arguments->mesh,
-         "The mesh, made by any program: .node, .ele, .msh, .vtu, .pvtu, .off; - is\nstandard input (.msh, .vtu, .off)")
+  app->add_option("MESH", arguments->mesh,
+                  "The mesh, made by any program: .node, .ele, .msh, .vtu, .pvtu, .off, .vtk, .2dm,\n.gr3, .14; - is "
+                  "standard input "
+                  "(.msh, .vtu, .off, .vtk, .2dm)")
       ->required()
       ->type_name("");
   add_goal_options(*app, arguments->goal, largest_angle_to_check);

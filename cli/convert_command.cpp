@@ -51,7 +51,7 @@ Status check_output_of(const ConvertArguments& arguments, const Pslg& /*domain*/
 
 Status check_output_of(const ConvertArguments& arguments, const Mesh& /*mesh*/) {
   const std::array outputs = {arguments.output};
-  if (Status fine = check_stream_format(outputs, arguments.format.of_stream); !fine) return fine;
+  if (Status fine = check_format_options(outputs, arguments.format); !fine) return fine;
   if (arguments.output.extension() == ".poly")
     return wrong_output(arguments, fmt::format("{} is a mesh; the output .node writes .node, .ele and .poly",
                                                arguments.input.string()));
@@ -80,12 +80,13 @@ Result<std::string> write(const ConvertArguments& arguments, const Mesh& mesh) {
     return why;
   };
   if (mesh_format(arguments.output) != MeshFormat::triangle)
-    return done(write_mesh(mesh, {}, arguments.output, arguments.format.msh(), arguments.format.of_stream), {});
+    return done(write_mesh(mesh, {}, arguments.output, arguments.format.for_file(arguments.output)), {});
   // The .poly contains the holes and the regions, too.
   const Result<Pslg> pslg = domain_with(arguments.input, mesh);
   if (!pslg && pslg.error().kind != ErrorKind::invalid_input) return pslg.error();
   const fs::path stem = fs::path(arguments.output).replace_extension();
-  return done(write_triangle_files(mesh, pslg ? *pslg : Pslg{}, stem, {.base = mesh.first_id.value}),
+  return done(write_triangle_files(mesh, pslg ? *pslg : Pslg{}, stem,
+                                   {.base = mesh.first_id.value, .second_order = arguments.format.order == 2}),
               pslg ? "" : pslg.error().message);
 }
 
@@ -122,10 +123,14 @@ Command add_convert(CLI::App& program) {
   const auto arguments = std::make_shared<ConvertArguments>();
   CLI::App* app = program.add_subcommand("convert", "Write a mesh or a domain in another format, without changing it");
   app->add_option("IN", arguments->input,
-                  "A mesh (.node, .ele, .msh, .vtu, .pvtu, .off) or a domain (.poly, .node); - is\nstandard input")
+                  "A mesh (.node, .ele, .msh, .vtu, .pvtu, .off, .vtk, .2dm, .gr3, .14)\nor a domain (.poly, .node, "
+                  ".geojson); - "
+                  "is standard input")
       ->required()
       ->type_name("");
-  app->add_option("OUT", arguments->output, "The file to write: .node, .ele, .msh, .vtu or .off; for a domain .poly")
+  app->add_option(
+         "OUT", arguments->output,
+         "The file to write: .node, .ele, .msh, .vtu, .off, .vtk, .2dm, .gr3, .14 or .inp;\nfor a domain .poly")
       ->required()
       ->type_name("");
   add_mesh_format_options(*app, arguments->format);
@@ -133,11 +138,12 @@ Command add_convert(CLI::App& program) {
   app->footer(
       R"(The numbering of the vertices, coordinates, regions, markers and constrained edges stay the same, and
 so do fields (values at points and in triangles) and names of regions and markers. A note on standard error names
-what the format of OUT cannot store.
+what the format of OUT cannot store. --open-boundary needs the markers that IN has.
 
 Examples:
   pardel convert key.msh key.vtu
-  pardel convert mesh.ele mesh.msh)");
+  pardel convert mesh.ele mesh.msh
+  pardel convert key.msh hgrid.gr3 --open-boundary 2,3)");
   return {app, [arguments] { return run(*arguments); }};
 }
 

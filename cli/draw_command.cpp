@@ -128,7 +128,8 @@ Command add_draw(CLI::App& program) {
   const auto arguments = std::make_shared<DrawArguments>();
   CLI::App* app = program.add_subcommand("draw", "Draw a domain or a mesh as SVG or PNG");
   app->add_option("IN|MESH", arguments->input,
-                  "A domain (.poly, .node) or a mesh (.node, .ele, .msh, .vtu, .pvtu, .off); - is\nstandard input")
+                  "A domain (.poly, .node, .geojson) or a mesh (.node, .ele, .msh, .vtu, .pvtu, .off, .vtk,\n"
+                  ".2dm, .gr3, .14); - is standard input")
       ->required()
       ->type_name("");
   app->add_option("OUT,-o,--output", arguments->output, "The picture to write: .svg or .png; - is standard output")

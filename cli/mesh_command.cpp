@@ -170,7 +170,7 @@ Status write_outputs(const MeshArguments& arguments, const Mesh& mesh, const Psl
   for (const auto& output : arguments.outputs) {
     bar.begin("writing " + output.string());
     const std::optional<MeshFormat> format = output == "-" ? arguments.format.of_stream : std::nullopt;
-    if (Status written = write_mesh(mesh, pslg, output, arguments.format.msh(), format); !written) return written;
+    if (Status written = write_mesh(mesh, pslg, output, arguments.format.for_file(output)); !written) return written;
     note_losses(losses_beside_mesh(mesh, format_of_output(output, format)), output, format);
   }
   return Done{};

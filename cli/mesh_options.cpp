@@ -25,7 +25,8 @@ constexpr Index most_cells_along = 4096;
 
 constexpr const char* footer =
     R"(The suffix of OUT sets the format: .node or .ele for Triangle's .node, .ele and .poly; .vtu for ParaView;
-.msh for Gmsh; .off; .svg. An output file appears under its name only when it is complete.
+.msh for Gmsh; .off; .svg; .vtk; .2dm for SMS and TUFLOW; .gr3 for SCHISM; .14 for ADCIRC; .inp for Abaqus.
+An output file appears under its name only when it is complete.
 The report of --json numbers vertices and triangles from 0, also where IN numbers from 1.
 Exit status: as 'pardel --help' lists. With status 4 (a bound could not be met) the mesh is written all the same.
 
@@ -37,7 +38,8 @@ Examples:
 
 void add_files(CLI::App& app, MeshArguments& arguments) {
   app.add_option("IN", arguments.input,
-                 "The domain: .poly or .node; with --refine a mesh: .node, .ele, .msh, .vtu, .off")
+                 "The domain: .poly, .node or .geojson; with --refine a mesh: .node, .ele, .msh, .vtu, .off,\n.vtk, "
+                 ".2dm, .gr3, .14")
       ->required()
       ->type_name("");
   app.add_option("-o,--output", arguments.outputs, "The file to write (required; may be given several times)")
@@ -222,7 +224,7 @@ Status check_outputs(const MeshArguments& arguments) {
   if (Status fine = check_standard_input(std::array{arguments.input, arguments.goal.sizes, arguments.goal.sources});
       !fine)
     return fine;
-  if (Status fine = check_stream_format(arguments.outputs, arguments.format.of_stream); !fine) return fine;
+  if (Status fine = check_format_options(arguments.outputs, arguments.format); !fine) return fine;
   if (Status fine = check_standard_output(all_outputs(arguments)); !fine) return fine;
   if (Status fine = check_mesh_outputs(arguments.outputs); !fine) return fine;
   if (Status fine = check_distinct(outputs, inputs); !fine) return fine;

@@ -34,6 +34,6 @@ inline constexpr auto show_progress_names = enum_names<ShowProgress>({
 });
 
 /// Without the last enumerator: Triangle's files are several, which standard output would not separate.
-inline constexpr EnumNames<MeshFormat, 4> stream_format_names{{"msh", "off", "svg", "vtu"}};
+inline constexpr EnumNames<MeshFormat, 8> stream_format_names{{"msh", "off", "svg", "vtu", "vtk", "2dm", "gr3", "inp"}};
 
 }  // namespace pardel::cli

@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <optional>
 #include <system_error>
 
 #include "../core/formats.hpp"
@@ -24,7 +25,7 @@ Error io_error(const fs::path& file, int error) {
 
 /// The error for a mesh of a format that is not written here. It names the program that writes it, if there is one.
 Error unknown_mesh_format(const fs::path& file) {
-  Error error = unknown_format(file, "a mesh", ".node, .ele, .vtu, .msh, .off and .svg");
+  Error error = unknown_format(file, "a mesh", ".node, .ele, .vtu, .msh, .off, .vtk, .2dm, .gr3, .14, .inp and .svg");
   if (file.extension() == ".png") error.message += "; 'pardel draw' draws a mesh as .png";
   if (file.extension() == ".pvtu") error.message += "; 'pardel-mpi mesh' writes .pvtu";
   return error;
@@ -49,12 +50,21 @@ Status check_standard_output(std::span<const fs::path> outputs) {
   return Error{ErrorKind::usage, "-: only one output can go to standard output"};
 }
 
-Status check_stream_format(std::span<const fs::path> outputs, std::optional<MeshFormat> format) {
+Status check_format_options(std::span<const fs::path> outputs, const MeshFormatOptions& options) {
+  const auto usage = [](const std::string& message) { return Error{ErrorKind::usage, message}; };
   const bool has_stream = std::ranges::find(outputs, fs::path("-")) != outputs.end();
-  if (has_stream && !format)
-    return Error{ErrorKind::usage, "-: standard output has no suffix; set --format msh, off, svg or vtu"};
-  if (!has_stream && format)
-    return Error{ErrorKind::usage, "--format is for the output -; a suffix sets the format of a file"};
+  if (has_stream && !options.of_stream)
+    return usage("-: standard output has no suffix; set --format msh, off, svg, vtu, vtk, 2dm, gr3 or inp");
+  if (!has_stream && options.of_stream)
+    return usage("--format is for the output -; a suffix sets the format of a file");
+  bool has_gr3 = false;
+  for (const fs::path& output : outputs) {
+    const std::optional<MeshFormat> format = output == "-" ? options.of_stream : mesh_format(output);
+    has_gr3 = has_gr3 || format == MeshFormat::gr3;
+    if (options.order == 2 && format && !has_second_order(*format))
+      return usage(output.string() + ": --order 2 is for .node, .ele, .msh and .vtu");
+  }
+  if (!has_gr3 && !options.open_boundaries.empty()) return usage("--open-boundary is for .gr3 and .14");
   return Done{};
 }
 

@@ -2,13 +2,13 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
 #include "../core/formats.hpp"
 #include "../core/result.hpp"
+#include "mesh_format.hpp"
 
 namespace pardel::cli {
 
@@ -21,9 +21,10 @@ namespace pardel::cli {
 /// Writes `text` to `file`; "-" is standard output. A regular file gets its name only when it is complete.
 [[nodiscard]] Status write_text(std::string_view text, const std::filesystem::path& file);
 
-/// Checks the option --format: it is needed if one of the outputs is "-", and only then.
-[[nodiscard]] Status check_stream_format(std::span<const std::filesystem::path> outputs,
-                                         std::optional<MeshFormat> format);
+/// Checks the options of formats: --format is needed if one of the outputs is "-", and only then; --order 2 and
+/// --open-boundary need outputs of a format that has such elements or boundaries.
+[[nodiscard]] Status check_format_options(std::span<const std::filesystem::path> outputs,
+                                          const MeshFormatOptions& options);
 
 /// Checks output files for meshes. "-" is accepted. Errors: `usage` if a suffix is unknown; `io` if a folder does not
 /// exist or is not writable.

@@ -1,8 +1,9 @@
-// Readers and writers of files: Triangle's formats, VTU, Gmsh's MSH, OFF, SVG. Numbers are written with enough digits
-// to read back the same double. A writer never leaves a partial file under the final name: it writes to a new
-// file without a name, or with another one, and gives it the name on success (docs/formats.md). A byte order mark at
-// the beginning of a file is skipped. A device or a pipe is written directly. Every error message names the file; for
-// text files it also names the line. These functions are in the library pardel::formats.
+// Readers and writers of files: Triangle's formats, VTU, Gmsh's MSH, OFF, legacy VTK, SMS's 2DM, the grids of SCHISM
+// and ADCIRC, Abaqus' INP, SVG. Numbers are written with enough digits to read back the same double. A writer never
+// leaves a partial file under the final name: it writes to a new file without a name, or with another one, and gives it
+// the name on success (docs/formats.md). A byte order mark at the beginning of a file is skipped. A device or a pipe is
+// written directly. Every error message names the file; for text files it also names the line. These functions are in
+// the library pardel::formats.
 #pragma once
 
 #include <cstdint>
@@ -44,16 +45,16 @@ namespace pardel {
 /// the points of the .node of the same name.
 [[nodiscard]] Status write_poly(const Pslg& pslg, const std::filesystem::path& file, int base = 1);
 
-/// The formats of meshes: single files, and Triangle's .node, .ele and .poly.
-enum class MeshFormat : std::uint8_t { msh, off, svg, vtu, triangle };
+/// The formats of meshes: single files, and Triangle's .node, .ele and .poly. gr3: .gr3 and .14 (ADCIRC's fort.14).
+enum class MeshFormat : std::uint8_t { msh, off, svg, vtu, vtk, two_dm, gr3, inp, triangle };
 /// The format that the suffix of a file sets; empty if it is not the suffix of a mesh.
 [[nodiscard]] std::optional<MeshFormat> mesh_format(const std::filesystem::path& file);
 
 /// Reads a mesh written by any program; the suffix determines the format. A file without a suffix, such as `-`
-/// (standard input), is a .msh, .vtu or .off; its first characters tell which. In the result, indices are in range and
-/// numbers are finite. Nothing else is verified: triangles may be clockwise, flat or overlapping (see the checker).
-/// Neighbours are computed from the triangles by rebuild_neighbours(). Region attributes are in ascending order. z is
-/// ignored. There are no constrained edges if the format has none.
+/// (standard input), is a .msh, .vtu, .vtk, .off or .2dm; its first characters tell which. In the result, indices are
+/// in range and numbers are finite. Nothing else is verified: triangles may be clockwise, flat or overlapping (see the
+/// checker). Neighbours are computed from the triangles by rebuild_neighbours(). Region attributes are in ascending
+/// order. z is ignored. There are no constrained edges if the format has none.
 ///   .node, .ele  either name reads both files. Constrained edges come from the .poly of the same name if it has no
 ///                points of its own, else from the marked edges of the .edge. A .neigh must agree with the triangles.
 ///                Of six nodes per triangle the first three are read. Nodes that are only middles of edges are left
@@ -68,6 +69,13 @@ enum class MeshFormat : std::uint8_t { msh, off, svg, vtu, triangle };
 ///                the numbers in the point array `GlobalNodeId` if all have it; otherwise their points are different.
 /// What else a file has beside the mesh is listed in Mesh::left_out.
 ///   .off         triangles, and the constrained edges that write_off() lists in comments.
+///   .vtk         legacy files of VTK in ASCII, an unstructured grid; cells and arrays as of a .vtu, but no fields.
+///   .2dm         the triangles E3T; nodes by their numbers, whose z is the attribute of the point. The first material
+///                of a triangle is the attribute of its region. Nodestrings are constrained edges; the integer after
+///                the end of a nodestring is their marker, or else the number of the nodestring, from 1 on.
+///   .gr3, .14    depths are the attribute of the points. The edges of boundaries are constrained edges: those of land
+///                have the marker 1, those of open boundary k have 1 + k. A file may end after the elements.
+/// In .msh and .vtu triangles may have six nodes and lines three, as in an .ele.
 [[nodiscard]] Result<Mesh> read_mesh(const std::filesystem::path& file);
 
 /// Reads a domain or a mesh. A .poly is a domain, and so is a .node without an .ele of the same name. A file without a
@@ -75,6 +83,9 @@ enum class MeshFormat : std::uint8_t { msh, off, svg, vtu, triangle };
 [[nodiscard]] Result<std::variant<Pslg, Mesh>> read_pslg_or_mesh(const std::filesystem::path& file);
 
 enum class MshEncoding : std::uint8_t { ascii, binary };
+/// The order of the elements of a file. second: a triangle has six nodes, and a constrained edge three. The middles of
+/// edges follow the vertices; their attributes and fields are the means of those of the ends of the edge.
+enum class ElementOrder : std::uint8_t { first, second };
 
 /// Writes a mesh. The suffix of `file` determines the format, unless `format` is given, as it has to be for `-`
 /// (standard output). Triangle's format: writes .node, .ele and .poly, either all of them or, after an error, none.
@@ -83,6 +94,19 @@ enum class MshEncoding : std::uint8_t { ascii, binary };
 /// have the right lengths; for .edge, .neigh and second order, Triangle::n is correct.
 [[nodiscard]] Status write_mesh(const Mesh& mesh, const Pslg& pslg, const std::filesystem::path& file,
                                 MshEncoding msh = MshEncoding::binary, std::optional<MeshFormat> format = {});
+
+/// How a mesh is written, where its format leaves a choice.
+struct MeshFileOptions {
+  MshEncoding msh = MshEncoding::binary;
+  std::optional<MeshFormat> format{};           ///< as `format` above
+  ElementOrder elements = ElementOrder::first;  ///< second: for .node and .ele, .msh and .vtu
+  std::vector<int> open_boundaries{};           ///< .gr3, .14: see write_gr3()
+};
+/// The same with these options. Error: `usage` for elements of second order in another format; as write_gr3().
+[[nodiscard]] Status write_mesh(const Mesh& mesh, const Pslg& pslg, const std::filesystem::path& file,
+                                const MeshFileOptions& options);
+/// True if a file of the format can have elements of second order.
+[[nodiscard]] bool has_second_order(MeshFormat format);
 
 /// The names of all files that write_mesh() writes for `file`.
 [[nodiscard]] std::vector<std::string> written_files(const std::filesystem::path& file);
@@ -134,7 +158,8 @@ struct TriangleFiles {
 /// triangles without a region are in the group `domain`; a marker or a region with a name is in the group of this name.
 /// The tag of a group is the attribute or marker itself if that is a positive int. Tags of vertices are in the order of
 /// the mesh; triangles are grouped by region. Fields are $NodeData and $ElementData.
-[[nodiscard]] Status write_msh(const Mesh& mesh, const std::filesystem::path& file, MshEncoding encoding);
+[[nodiscard]] Status write_msh(const Mesh& mesh, const std::filesystem::path& file, MshEncoding encoding,
+                               ElementOrder elements = ElementOrder::first);
 /// The file of partition 1, 2, ... of FILE.msh, as Gmsh names it: FILE_1.msh.
 [[nodiscard]] std::filesystem::path msh_of_piece(const std::filesystem::path& file, int partition);
 /// Writes a mesh in pieces as MSH 4.1, one file msh_of_piece(file, rank + 1) per rank, with the sections
@@ -152,7 +177,11 @@ struct TriangleFiles {
 /// triangles) and `quality` (the smallest angle, in degrees; NaN for lines). Point arrays: `marker` and `attributes`,
 /// if the mesh has them. Fields follow, with NaN for lines; a field whose name is taken gets a number after it. The
 /// names of markers and regions are field data: an array of the name, with the marker and 1, or the attribute and 2.
-[[nodiscard]] Status write_vtu(const Mesh& mesh, const std::filesystem::path& file);
+[[nodiscard]] Status write_vtu(const Mesh& mesh, const std::filesystem::path& file,
+                               ElementOrder elements = ElementOrder::first);
+/// Writes a legacy file of VTK (version 3.0, ASCII) with the cells and the arrays of write_vtu(), without `quality`,
+/// fields and names. Source: The VTK User's Guide, "Simple legacy formats".
+[[nodiscard]] Status write_vtk(const Mesh& mesh, const std::filesystem::path& file);
 
 /// The name of the cell array in which write_vtu() writes the smallest angles.
 inline constexpr const char* vtu_quality = "quality";
@@ -192,6 +221,21 @@ struct PiecesOfMesh {
 [[nodiscard]] Status write_pvtu(const PiecesOfMesh& pieces, const std::filesystem::path& file);
 /// Writes points and triangles, and comments at the end that list the constrained edges with their markers.
 [[nodiscard]] Status write_off(const Mesh& mesh, const std::filesystem::path& file);
+/// Writes SMS's 2D mesh: triangles as E3T with a material, points as ND with the first attribute, or 0, as z, and the
+/// constrained edges of each marker as nodestrings, each with the marker after its end. The material of a triangle is
+/// the tag that its region has in write_msh(): 1 if there are no regions. Source: SMS, "2D Mesh Files *.2dm".
+[[nodiscard]] Status write_2dm(const Mesh& mesh, const std::filesystem::path& file);
+/// Writes the grid of SCHISM (hgrid.gr3) and of ADCIRC (fort.14). The depth of a point is its first attribute, or 0.
+/// For each of `open_markers` the edges of the boundary with this marker are open boundaries, in this order; all others
+/// are land, in chains of type 1 if they close around an island (its first node is not repeated), else of type 0. The
+/// domain lies to the left of each chain. Error: `usage` if no edge of the boundary has one of the markers. Source:
+/// SCHISM's manual, "hgrid.gr3"; ADCIRC's manual, "Grid and boundary information file".
+[[nodiscard]] Status write_gr3(const Mesh& mesh, const std::filesystem::path& file,
+                               std::span<const int> open_markers = {});
+/// Writes Abaqus' input file: *NODE, *ELEMENT of type CPS3 with one ELSET per region, and per marker an NSET of the
+/// nodes and a *SURFACE of the sides at the boundary. The sets are REGION_T, MARKER_T and SIDES_T, where T is the tag
+/// that write_msh() gives to the region or the marker; a comment before the set has the attribute or the marker itself.
+[[nodiscard]] Status write_inp(const Mesh& mesh, const std::filesystem::path& file);
 /// Draws the mesh. The colour of a triangle depends on its region.
 [[nodiscard]] Status write_svg(const Mesh& mesh, const std::filesystem::path& file);
 /// Draws points, segments, holes (crosses) and regions (diamonds with their attributes).

@@ -14,11 +14,13 @@ namespace fs = std::filesystem;
 
 /// The format of a mesh by its first characters; empty if it begins like none.
 std::optional<MeshFormat> format_of_text(std::string_view text) {
+  if (text.starts_with("# vtk DataFile")) return MeshFormat::vtk;  // a comment in other formats
   TextReader in(text, {});
   in.next_line();
   if (in.rest().starts_with('$')) return MeshFormat::msh;
   if (in.rest().starts_with('<')) return MeshFormat::vtu;
   if (in.rest().starts_with("OFF")) return MeshFormat::off;
+  if (in.rest().starts_with("MESH2D")) return MeshFormat::two_dm;
   return {};
 }
 
@@ -26,14 +28,18 @@ std::optional<MeshFormat> format_of_text(std::string_view text) {
 Result<Mesh> parse_mesh(MeshFormat format, std::string_view text, const std::string& name) {
   if (format == MeshFormat::vtu) return parse_vtu(text, name);
   if (format == MeshFormat::msh) return parse_msh(text, name);
+  if (format == MeshFormat::vtk) return parse_vtk(text, name);
+  if (format == MeshFormat::two_dm) return parse_2dm(text, name);
+  if (format == MeshFormat::gr3) return parse_gr3(text, name);
   return parse_off(text, name);
 }
 
 Error not_a_mesh(const fs::path& file) {
   return {ErrorKind::invalid_input,
           file.string() +
-              ": a mesh without a suffix must be .msh, .vtu or .off, and so begin with \"$\", \"<\" or "
-              "\"OFF\"; a mesh in .node and .ele consists of two files, which need names"};
+              ": a mesh without a suffix must be .msh, .vtu, .off, .vtk or .2dm, and so begin with \"$\", \"<\", "
+              "\"OFF\", \"# vtk DataFile\" or \"MESH2D\"; a mesh in .node and .ele consists of two files, which need "
+              "names"};
 }
 
 Error unknown_suffix(const fs::path& file, const char* known) {
@@ -52,6 +58,10 @@ std::optional<MeshFormat> mesh_format(const fs::path& file) {
   if (suffix == ".msh") return MeshFormat::msh;
   if (suffix == ".off") return MeshFormat::off;
   if (suffix == ".svg") return MeshFormat::svg;
+  if (suffix == ".vtk") return MeshFormat::vtk;
+  if (suffix == ".2dm") return MeshFormat::two_dm;
+  if (suffix == ".gr3" || suffix == ".14") return MeshFormat::gr3;
+  if (suffix == ".inp") return MeshFormat::inp;
   return {};
 }
 
@@ -74,8 +84,8 @@ Result<Mesh> read_mesh(const fs::path& file) {
   std::optional<MeshFormat> format = mesh_format(file);
   if (format == MeshFormat::triangle) return read_triangle_mesh(file);
   if (file.extension() == ".pvtu") return read_pvtu(file);
-  if (format == MeshFormat::svg || (!format && file.has_extension()))
-    return unknown_suffix(file, ".node, .ele, .msh, .vtu, .pvtu and .off");
+  if (format == MeshFormat::svg || format == MeshFormat::inp || (!format && file.has_extension()))
+    return unknown_suffix(file, ".node, .ele, .msh, .vtu, .pvtu, .off, .vtk, .2dm, .gr3 and .14");
   if (std::error_code ignored;
       format == MeshFormat::msh && !fs::exists(file, ignored) && fs::exists(msh_of_piece(file, 1), ignored))
     return read_msh_pieces(file);
@@ -106,19 +116,38 @@ std::vector<std::string> written_files(const fs::path& file) {
   return {stem + ".node", stem + ".ele", stem + ".poly"};
 }
 
+bool has_second_order(MeshFormat format) {
+  return format == MeshFormat::triangle || format == MeshFormat::msh || format == MeshFormat::vtu;
+}
+
 Status write_mesh(const Mesh& mesh, const Pslg& pslg, const fs::path& file, MshEncoding msh,
                   std::optional<MeshFormat> format) {
-  if (!format) format = mesh_format(file);
-  if (!format) return unknown_suffix(file, ".node, .ele, .vtu, .msh, .off and .svg");
+  return write_mesh(mesh, pslg, file, MeshFileOptions{.msh = msh, .format = format});
+}
+
+Status write_mesh(const Mesh& mesh, const Pslg& pslg, const fs::path& file, const MeshFileOptions& options) {
+  const std::optional<MeshFormat> format = options.format ? options.format : mesh_format(file);
+  if (!format) return unknown_suffix(file, ".node, .ele, .vtu, .msh, .off, .vtk, .2dm, .gr3, .14, .inp and .svg");
+  const bool second_order = options.elements == ElementOrder::second;
+  if (second_order && !has_second_order(*format))
+    return Error{ErrorKind::usage, file.string() + ": only .node, .ele, .msh and .vtu can have elements of order 2"};
   switch (*format) {
     case MeshFormat::triangle:
-      return write_triangle_files(mesh, pslg, fs::path(file).replace_extension(), TriangleFiles{});
+      return write_triangle_files(mesh, pslg, fs::path(file).replace_extension(), {.second_order = second_order});
     case MeshFormat::vtu:
-      return write_vtu(mesh, file);
+      return write_vtu(mesh, file, options.elements);
     case MeshFormat::msh:
-      return write_msh(mesh, file, msh);
+      return write_msh(mesh, file, options.msh, options.elements);
     case MeshFormat::off:
       return write_off(mesh, file);
+    case MeshFormat::vtk:
+      return write_vtk(mesh, file);
+    case MeshFormat::two_dm:
+      return write_2dm(mesh, file);
+    case MeshFormat::gr3:
+      return write_gr3(mesh, file, options.open_boundaries);
+    case MeshFormat::inp:
+      return write_inp(mesh, file);
     case MeshFormat::svg:
       break;
   }

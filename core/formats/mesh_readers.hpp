@@ -29,6 +29,9 @@ struct MshPiece : NumberedMesh {
 [[nodiscard]] Result<MshPiece> parse_msh_piece(std::string_view text, const std::string& name, int partition);
 [[nodiscard]] Result<Mesh> parse_vtu(std::string_view text, const std::string& name);
 [[nodiscard]] Result<Mesh> parse_off(std::string_view text, const std::string& name);
+[[nodiscard]] Result<Mesh> parse_vtk(std::string_view text, const std::string& name);
+[[nodiscard]] Result<Mesh> parse_2dm(std::string_view text, const std::string& name);
+[[nodiscard]] Result<Mesh> parse_gr3(std::string_view text, const std::string& name);
 
 /// The text of a .poly. `file`: its name; a .node of the same name may have the points, unless it is standard input.
 [[nodiscard]] Result<Pslg> parse_pslg(std::string_view text, const std::filesystem::path& file);

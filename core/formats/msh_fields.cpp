@@ -17,14 +17,14 @@ std::string_view unquoted(std::string_view text) {
   return is_quoted ? text.substr(1, text.size() - 2) : text;
 }
 
-struct Header {
+struct FieldHeader {
   std::string name;
   double time = 0;
   std::size_t integers = 0, components = 0, records = 0;
 };
 
-Header read_header(TextReader& in) {
-  Header header;
+FieldHeader read_field_header(TextReader& in) {
+  FieldHeader header;
   in.expect_line("the number of strings");
   for (std::size_t i = 0, n = in.count("the number of strings"); i < n && in.expect_line("a line of the list"); ++i)
     if (i == 0) header.name = unquoted(in.rest_of_line());
@@ -50,7 +50,7 @@ bool is_wide(std::size_t components) {
 }
 
 /// The table of all values costs much more memory than the section has bytes.
-bool is_wasteful(const Header& header, std::size_t places) {
+bool is_wasteful(const FieldHeader& header, std::size_t places) {
   return is_wide(header.components) && 2 * header.records < places;
 }
 
@@ -113,7 +113,7 @@ std::optional<Field> read_msh_field(TextReader& in, MshSource& source, const Msh
   const std::string_view record = of_points ? "node" : "element";
   const std::string a_tag = of_points ? "a node's tag" : "an element's tag";
   const std::string a_value = of_points ? "a value at a node" : "a value in an element";
-  Header header = read_header(in);
+  FieldHeader header = read_field_header(in);
   // In binary, the tag takes four bytes only.
   if (in.failed() || header.integers < 3 || header.components == 0 || header.components > any_tag ||
       !source.room_for(header.records, header.components, of_points ? "values at nodes" : "values in elements")) {
@@ -138,11 +138,11 @@ std::optional<Field> read_msh_field(TextReader& in, MshSource& source, const Msh
   return field;
 }
 
-void write_fields(MshRows& out, const Mesh& mesh, const std::function<std::size_t(Index)>& point_tag,
+void write_fields(MshRows& out, const std::vector<Field>& fields, const std::function<std::size_t(Index)>& point_tag,
                   const std::function<std::size_t(Index)>& triangle_tag) {
-  for (auto field = mesh.fields.begin(); field != mesh.fields.end(); ++field) {
+  for (auto field = fields.begin(); field != fields.end(); ++field) {
     const auto is_step = [&](const Field& other) { return other.name == field->name && other.place == field->place; };
-    const auto step = static_cast<std::size_t>(std::count_if(mesh.fields.begin(), field, is_step));
+    const auto step = static_cast<std::size_t>(std::count_if(fields.begin(), field, is_step));
     write_field(out, *field, step, field->place == Field::Place::points ? point_tag : triangle_tag);
   }
 }

@@ -49,7 +49,7 @@ struct MshPlaces {
 
 /// Writes a section per field, with the values that are present. `point_tag` and `triangle_tag` give the tags of
 /// nodes and elements.
-void write_fields(MshRows& out, const Mesh& mesh, const std::function<std::size_t(Index)>& point_tag,
+void write_fields(MshRows& out, const std::vector<Field>& fields, const std::function<std::size_t(Index)>& point_tag,
                   const std::function<std::size_t(Index)>& triangle_tag);
 
 }  // namespace pardel::files

@@ -79,8 +79,7 @@ template <class GroupOf>
 template <class Tags>
 void write_line_block(MshRows& out, int entity, std::span<const Index> lines, const Mesh& mesh, const Tags& tags) {
   if (lines.empty()) return;
-  constexpr int line = 1;
-  out.row(1, entity, line, lines.size());
+  out.row(1, entity, msh_line, lines.size());
   out.rows(lines.size(), [&](std::size_t i) {
     const ConstrainedEdge& e = mesh.constrained_edges[lines[i]];
     return std::array<std::size_t, 3>{tags.line(lines[i]), tags.node(e.a), tags.node(e.b)};

@@ -2,7 +2,7 @@
 // constrained edges. A physical group named `region X` or `marker N` gives the attribute X or the marker N; a group
 // `domain` means no region; any other group gives its tag, and its name is kept. Vertices are in the order of their
 // tags; z is ignored. $NodeData and $ElementData are fields. Of a partitioned mesh, ghost elements and the lines on
-// interfaces of partitions are left out.
+// interfaces of partitions are left out. Of elements of second order the corners are read.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -11,7 +11,9 @@
 #include "../neighbours.hpp"
 #include "group_names.hpp"
 #include "mesh_readers.hpp"
+#include "middles.hpp"
 #include "msh_fields.hpp"
+#include "msh_rows.hpp"
 #include "msh_source.hpp"
 #include "triangle_sections.hpp"
 
@@ -20,10 +22,19 @@ namespace {
 
 constexpr double no_region = std::numeric_limits<double>::quiet_NaN();
 
-/// The number of corners of an element type; 0 for types that a plane mesh of triangles cannot contain.
-std::size_t corners_of(std::int64_t type) {
-  constexpr int line = 1, triangle = 2, point = 15;
-  return type == line ? 2 : type == triangle ? 3 : type == point ? 1 : 0;
+/// A type of elements. Its first nodes are the corners, the others middles of edges.
+struct ElementType {
+  std::int64_t dimension = 0;
+  std::size_t corners = 0;  ///< 0 for types that a plane mesh of triangles cannot contain
+  std::size_t nodes = 0;
+};
+ElementType element_type(std::int64_t type) {
+  constexpr int point = 15;
+  if (type == msh_line) return {1, 2, 2};
+  if (type == msh_triangle) return {2, 3, 3};
+  if (type == msh_line_of_3) return {1, 2, 3};
+  if (type == msh_triangle_of_6) return {2, 3, 6};
+  return type == point ? ElementType{0, 1, 1} : ElementType{};
 }
 
 class MshReader {
@@ -50,16 +61,25 @@ class MshReader {
       mesh_.points[i] = nodes_[i];
       number[i] = nodes_.tag(i) - 1;
     }
-    const auto has_region = [](double attribute) { return !std::isnan(attribute); };
-    if (std::any_of(attributes_.begin(), attributes_.end(), has_region)) set_regions(mesh_, attributes_.span());
-    rebuild_neighbours(mesh_.triangles, mesh_.points.size());
     mesh_.first_id = {1};
     if (nodes_.size() > 0 && nodes_.tag(nodes_.size() - 1) != nodes_.size())
       for (std::size_t i = 0; i < nodes_.size(); ++i) mesh_.numbers.of_points.push_back(nodes_.tag(i));
+    if (!is_middle_.empty()) leave_out_middles(number);
+    const auto has_region = [](double attribute) { return !std::isnan(attribute); };
+    if (std::any_of(attributes_.begin(), attributes_.end(), has_region)) set_regions(mesh_, attributes_.span());
+    rebuild_neighbours(mesh_.triangles, mesh_.points.size());
     return MshPiece{{std::move(mesh_), std::move(number)}, partitions_};
   }
 
  private:
+  void leave_out_middles(Array<std::uint64_t>& number) {
+    is_middle_.resize(mesh_.points.size());
+    const std::vector<Index> kept = remove_middles(mesh_, std::move(is_middle_));
+    for (std::size_t i = 0; i < kept.size(); ++i)
+      if (kept[i] != no_index) number[kept[i]] = number[i];
+    number.resize(mesh_.points.size());
+  }
+
   void read_format() {
     in_.expect_line("the version of the format");
     version_ = in_.number("the version of the format");
@@ -277,9 +297,9 @@ class MshReader {
       source_.row("an element block");
       const std::int64_t dimension = source_.integer("a dimension", 0, 3);
       const std::int64_t entity = source_.integer("an entity's tag", any_marker_low, any_marker_high);
-      const std::size_t corners = read_type();
+      const ElementType type = read_type();
       const std::size_t in_block = source_.size("the number of elements in the block");
-      if (!source_.room_for(in_block, 1 + corners, "elements")) return;
+      if (!source_.room_for(in_block, 1 + type.nodes, "elements")) return;
       const bool is_left_out = left_out_.contains({dimension, entity});
       const auto physical = physical_.find({dimension, entity});
       const double value = physical == physical_.end() ? no_region : group_value(dimension, physical->second);
@@ -287,9 +307,9 @@ class MshReader {
         source_.row("an element");
         const std::size_t tag = source_.size("an element's tag");
         if (is_left_out) {
-          for (std::size_t k = 0; k < corners; ++k) source_.size("a node's tag");
+          for (std::size_t k = 0; k < type.nodes; ++k) source_.size("a node's tag");
         } else {
-          read_corners(tag, corners, value);
+          read_corners(tag, type, value);
         }
       }
       found += in_block;
@@ -297,14 +317,14 @@ class MshReader {
     finish_elements(n, found);
   }
 
-  std::size_t read_type() {
-    const std::int64_t type = source_.integer("an element's type", 1, any_marker_high);
-    const std::size_t corners = corners_of(type);
-    if (corners == 0) {
-      in_.fail("an element is of type " + std::to_string(type) +
+  ElementType read_type() {
+    const std::int64_t number = source_.integer("an element's type", 1, any_marker_high);
+    const ElementType type = element_type(number);
+    if (type.corners == 0) {
+      in_.fail("an element is of type " + std::to_string(number) +
                ", neither a line (1) nor a triangle (2) nor a point (15)");
     }
-    return corners;
+    return type;
   }
 
   double group_value(std::int64_t dimension, std::int64_t physical) const {
@@ -312,10 +332,10 @@ class MshReader {
     return named != value_.end() ? named->second : static_cast<double>(physical);
   }
 
-  /// Reads the corners of the element with this tag, whose attribute or marker is `value`.
-  void read_corners(std::size_t element, std::size_t n, double value) {
-    std::array<Index, 3> v{};
-    for (std::size_t i = 0; i < n; ++i) {
+  /// Reads the nodes of the element with this tag, whose attribute or marker is `value`.
+  void read_corners(std::size_t element, const ElementType& type, double value) {
+    std::array<Index, 6> v{};
+    for (std::size_t i = 0; i < type.nodes; ++i) {
       const std::size_t tag = version_ > 4
                                   ? source_.size("a node's tag")
                                   : static_cast<std::size_t>(source_.integer("a node's tag", 0, any_marker_high));
@@ -323,11 +343,13 @@ class MshReader {
       if (v[i] == no_index) in_.fail("there is no node " + std::to_string(tag));
     }
     if (in_.failed()) return;
-    if (n == 3) {
+    if (type.nodes > type.corners) is_middle_.resize(nodes_.size());
+    for (std::size_t i = type.corners; i < type.nodes; ++i) is_middle_[v[i]] = 1;
+    if (type.corners == 3) {
       triangles_.add(element, static_cast<Index>(mesh_.triangles.size()));
-      mesh_.triangles.push_back({v, {no_index, no_index, no_index}});
+      mesh_.triangles.push_back({{v[0], v[1], v[2]}, {no_index, no_index, no_index}});
       attributes_.push_back(value);
-    } else if (n == 2) {
+    } else if (type.corners == 2) {
       mesh_.constrained_edges.push_back({v[0], v[1], no_index, std::isnan(value) ? 0 : static_cast<int>(value)});
     }
   }
@@ -374,26 +396,25 @@ class MshReader {
   /// Reads one element or, in a binary file, several. Returns their number, at least 1.
   std::size_t read_block_2() {
     std::int64_t tag = source_.binary() ? 0 : source_.integer("an element's tag", 0, any_marker_high);
-    const std::size_t corners = read_type();
+    const ElementType type = read_type();
     const std::int64_t in_block =
         source_.binary() ? source_.integer("the number of elements in the block", 1, any_marker_high) : 1;
     const std::int64_t tags = source_.integer("the number of tags", 0, any_marker_high);
     for (std::int64_t i = 0; i < in_block && !in_.failed(); ++i) {
       if (source_.binary()) tag = source_.integer("an element's tag", 0, any_marker_high);
-      read_element_2(static_cast<std::size_t>(tag), corners, tags);
+      read_element_2(static_cast<std::size_t>(tag), type, tags);
     }
     return static_cast<std::size_t>(in_block);
   }
 
   /// The first tag is the physical group, 0 for none.
-  void read_element_2(std::size_t element, std::size_t corners, std::int64_t tags) {
+  void read_element_2(std::size_t element, const ElementType& type, std::int64_t tags) {
     std::int64_t physical = 0;
     for (std::int64_t k = 0; k < tags && !in_.failed(); ++k) {
       const std::int64_t tag = source_.integer("a tag", -any_marker_high, any_marker_high);
       if (k == 0) physical = std::abs(tag);
     }
-    const std::int64_t dimension = static_cast<std::int64_t>(corners) - 1;
-    read_corners(element, corners, physical == 0 ? no_region : group_value(dimension, physical));
+    read_corners(element, type, physical == 0 ? no_region : group_value(type.dimension, physical));
   }
 
   using Key = std::pair<std::int64_t, std::int64_t>;  ///< dimension and tag
@@ -411,7 +432,8 @@ class MshReader {
   MshTriangles triangles_;
   bool has_nodes_ = false;
   bool has_elements_ = false;
-  Array<double> attributes_;  ///< one per triangle
+  Array<double> attributes_;     ///< one per triangle
+  std::vector<char> is_middle_;  ///< per node: 1 for the middle of an edge; empty if there are none
   Mesh mesh_;
 };
 

@@ -10,8 +10,8 @@
 
 namespace pardel::files {
 
-/// The type of elements.
-inline constexpr int msh_triangle = 2;
+/// The types of elements: lines of two or three nodes, triangles of three or six.
+inline constexpr int msh_line = 1, msh_triangle = 2, msh_line_of_3 = 8, msh_triangle_of_6 = 9;
 
 /// Writes numbers in the encoding of the file. In ASCII they are rows of text; in binary they are consecutive bytes.
 class MshRows {

@@ -1,10 +1,12 @@
 // Reads a mesh from Triangle's files .node and .ele, and from the .poly, .edge and .neigh of the same name.
 #include <atomic>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "../neighbours.hpp"
 #include "mesh_readers.hpp"
+#include "middles.hpp"
 #include "triangle_sections.hpp"
 
 namespace pardel::files {
@@ -94,41 +96,6 @@ void check_neighbours(TextReader& in, const ReadMesh& read) {
   });
 }
 
-/// Removes the nodes that are only middles of edges: no corner of a triangle and no end of a constrained edge.
-void remove_middles(ReadMesh& read) {
-  Mesh& mesh = read.mesh;
-  for (const Triangle& triangle : mesh.triangles) {
-    for (const Index corner : triangle.v) read.is_middle[corner] = 0;
-  }
-  for (const ConstrainedEdge& edge : mesh.constrained_edges) {
-    read.is_middle[edge.a] = read.is_middle[edge.b] = 0;
-  }
-  std::vector<Index> number(mesh.points.size(), no_index);
-  const std::size_t width = mesh.attributes_per_point;
-  Index kept = 0;
-  for (std::size_t node = 0; node < number.size(); ++node) {
-    if (read.is_middle[node] != 0) continue;
-    mesh.points[kept] = mesh.points[node];
-    if (!mesh.point_markers.empty()) mesh.point_markers[kept] = mesh.point_markers[node];
-    for (std::size_t k = 0; k < width; ++k) {
-      mesh.point_attributes[kept * width + k] = mesh.point_attributes[node * width + k];
-    }
-    number[node] = kept++;
-    mesh.numbers.of_points.push_back(node + static_cast<unsigned>(read.base));
-  }
-  if (kept > 0 && number[kept - 1] == kept - 1) mesh.numbers = {};  // all middles are at the end
-  mesh.points.resize(kept);
-  mesh.point_attributes.resize(kept * width);
-  if (!mesh.point_markers.empty()) mesh.point_markers.resize(kept);
-  for (Triangle& triangle : mesh.triangles) {
-    for (Index& corner : triangle.v) corner = number[corner];
-  }
-  for (ConstrainedEdge& edge : mesh.constrained_edges) {
-    edge.a = number[edge.a];
-    edge.b = number[edge.b];
-  }
-}
-
 /// Reads `file` with reader(in).
 template <class Reader>
 Status read_with(const fs::path& file, const Reader& reader) {
@@ -159,15 +126,12 @@ Result<Mesh> read_triangle_mesh(const fs::path& file) {
   if (present(".poly")) read_beside(".poly", [&](TextReader& in) { has_segments = read_own_segments(in, read); });
   if (!has_segments && present(".edge")) read_beside(".edge", [&](TextReader& in) { read_edges(in, read); });
   if (!status.ok()) return status.error();
-  if (!read.is_middle.empty()) {
-    remove_middles(read);
-    read.mesh.left_out.add("the middle nodes of triangles");
-  }
+  read.mesh.first_id = {read.base};
+  if (!read.is_middle.empty()) remove_middles(read.mesh, std::move(read.is_middle));
 
   const std::size_t surplus = rebuild_neighbours(read.mesh.triangles, read.mesh.points.size());
   if (surplus == 0 && present(".neigh")) read_beside(".neigh", [&](TextReader& in) { check_neighbours(in, read); });
   if (!status.ok()) return status.error();
-  read.mesh.first_id = {read.base};
   return std::move(read.mesh);
 }
 

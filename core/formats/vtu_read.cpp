@@ -1,6 +1,6 @@
-// Reads VTU: triangles become triangles of the mesh, lines become its constrained edges, vertices are ignored. The
-// arrays of write_vtu() (region, marker, attributes) are read if they are present; other arrays of points and cells are
-// fields. z is ignored.
+// Reads VTU: triangles become triangles of the mesh, lines become its constrained edges, vertices are ignored. Of cells
+// of second order the corners are read. The arrays of write_vtu() (region, marker, attributes) are read if they are
+// present; other arrays of points and cells are fields. z is ignored.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,6 +14,7 @@
 #include "../support/smallest_angle.hpp"
 #include "group_names.hpp"
 #include "mesh_readers.hpp"
+#include "middles.hpp"
 #include "text_reader.hpp"
 #include "triangle_sections.hpp"
 #include "vtu_arrays.hpp"
@@ -32,7 +33,8 @@ class VtuMesh {
     const auto values_of_points = values<std::int64_t>(array, points());
     Array<std::uint64_t> numbers;
     for (std::size_t i = 0; i < values_of_points.size(); ++i)
-      numbers.push_back(static_cast<std::uint64_t>(checked(array, values_of_points, i, 0, no_index - 1)));
+      if (kept_.empty() || kept_[i] != no_index)
+        numbers.push_back(static_cast<std::uint64_t>(checked(array, values_of_points, i, 0, no_index - 1)));
     if (error_) return *error_;
     return numbers;
   }
@@ -46,6 +48,7 @@ class VtuMesh {
     read_fields();
     if (piece_ == 0) read_field_data();
     if (error_) return *error_;
+    if (!is_middle_.empty()) kept_ = remove_middles(mesh_, std::move(is_middle_));
     rebuild_neighbours(mesh_.triangles, mesh_.points.size());
     return std::move(mesh_);
   }
@@ -109,7 +112,17 @@ class VtuMesh {
     for (std::size_t i = 0; i < mesh_.points.size(); ++i) mesh_.points[i] = {xyz[3 * i], xyz[3 * i + 1]};
   }
 
-  static constexpr std::int64_t vtk_vertex = 1, vtk_line = 3, vtk_triangle = 5;
+  static constexpr std::int64_t vtk_vertex = 1, vtk_line = 3, vtk_triangle = 5, vtk_line_of_3 = 21,
+                                vtk_triangle_of_6 = 22;
+
+  /// The number of nodes of a cell, of which the corners are the first; 0 for other types.
+  static std::size_t nodes_of(std::int64_t type) {
+    if (type == vtk_triangle) return 3;
+    if (type == vtk_line) return 2;
+    if (type == vtk_triangle_of_6) return 6;
+    if (type == vtk_line_of_3) return 3;
+    return type == vtk_vertex ? 1 : 0;
+  }
 
   /// Reads the triangles at the beginning of the cells on all threads and returns their number. If one of them is
   /// wrong, it reads none.
@@ -146,24 +159,36 @@ class VtuMesh {
     const std::size_t leading = error_ ? 0 : read_leading_triangles(corners, ends, types);
     std::size_t first = 3 * leading;
     for (std::size_t c = leading; c < cells() && !error_; ++c) {
-      const std::size_t n = types[c] == vtk_triangle ? 3 : types[c] == vtk_line ? 2 : 1;
-      if (n == 1 && types[c] != vtk_vertex) {
+      const std::size_t n = nodes_of(types[c]);
+      if (n == 0) {
         fail(*types_array, "cell " + std::to_string(c) + " is of type " + std::to_string(types[c]) +
                                ", neither a triangle (5) nor a line (3) nor a vertex (1)");
       } else if (ends[c] != static_cast<std::int64_t>(first + n) || first + n > corners.size()) {
         fail(*ends_array, "expected cell " + std::to_string(c) + " to end at " + std::to_string(first + n) + " of " +
                               std::to_string(corners.size()) + " corners, found " + std::to_string(ends[c]));
-      } else if (types[c] == vtk_triangle) {
+      } else if (types[c] == vtk_triangle || types[c] == vtk_triangle_of_6) {
+        note_middles(corners_array, corners, first + 3, first + n);
         Triangle triangle;
         for (std::size_t i = 0; i < 3; ++i) triangle.v[i] = point_index(corners_array, corners, first + i);
         mesh_.triangles.push_back(triangle);
         cell_of_triangle_.push_back(c);
-      } else if (types[c] == vtk_line) {
+      } else if (types[c] == vtk_line || types[c] == vtk_line_of_3) {
+        note_middles(corners_array, corners, first + 2, first + n);
         const Index a = point_index(corners_array, corners, first);
         mesh_.constrained_edges.push_back({a, point_index(corners_array, corners, first + 1), no_index, 0});
         cell_of_line_.push_back(c);
       }
       first += n;
+    }
+  }
+
+  /// The nodes from `begin` to `end` - 1 are middles of edges.
+  void note_middles(const VtuArray* array, const Array<std::int64_t>& corners, std::size_t begin, std::size_t end) {
+    if (begin == end) return;
+    is_middle_.resize(mesh_.points.size());
+    for (std::size_t i = begin; i < end; ++i) {
+      const Index middle = point_index(array, corners, i);
+      if (!error_) is_middle_[middle] = 1;
     }
   }
 
@@ -303,6 +328,8 @@ class VtuMesh {
   std::size_t leading_triangles_ = 0;          ///< their cells are the first cells
   std::vector<std::size_t> cell_of_triangle_;  ///< of the other triangles
   std::vector<std::size_t> cell_of_line_;
+  std::vector<char> is_middle_;  ///< per point: 1 for the middle of an edge; empty if there are none
+  std::vector<Index> kept_;      ///< the result of remove_middles(); empty if there were none
   std::optional<Error> error_;
 };
 

@@ -13,6 +13,7 @@
 #include "../formats.hpp"
 #include "../support/mesh_edges.hpp"
 #include "../support/smallest_angle.hpp"
+#include "middles.hpp"
 #include "records.hpp"
 #include "vtu_names.hpp"
 
@@ -30,6 +31,8 @@ struct AppendedArray {
 };
 /// For a piece of a mesh, also for an empty one: the numbers of its points.
 using PieceNumbers = std::optional<std::span<const std::uint64_t>>;
+/// The middles of the edges; null for elements of first order.
+using MaybeMiddles = const Middles*;
 using Section = std::pair<std::string, std::vector<AppendedArray>>;
 
 template <class T>
@@ -62,27 +65,47 @@ AppendedArray cell_array(std::string name, const Mesh& mesh, OfTriangle of_trian
           }};
 }
 
-/// Corners and offsets are integers of type Id. If 32 bits suffice, the file is half as large as with 64 bits.
+constexpr std::uint8_t vtu_line = 3, vtu_triangle = 5, vtu_line_of_3 = 21, vtu_triangle_of_6 = 22;
+
+/// The nodes of the cells, and where they end. They are integers of type Id.
 template <class Id>
-Section cells(const Mesh& mesh) {
-  const std::size_t n = mesh.triangles.size();
-  const auto connectivity = cell_array<Id>(
+AppendedArray connectivity(const Mesh& mesh, MaybeMiddles second) {
+  const auto corners = [&mesh](std::size_t t) {
+    const auto& v = mesh.triangles[t].v;
+    return std::array<Id, 3>{static_cast<Id>(v[0]), static_cast<Id>(v[1]), static_cast<Id>(v[2])};
+  };
+  const auto ends = [&mesh](std::size_t i) {
+    const ConstrainedEdge& edge = mesh.constrained_edges[i];
+    return std::array<Id, 2>{static_cast<Id>(edge.a), static_cast<Id>(edge.b)};
+  };
+  if (second == nullptr) return cell_array<Id>("connectivity", mesh, corners, ends);
+  const auto middle = [&mesh](Index m) { return static_cast<Id>(mesh.points.size() + m); };
+  return cell_array<Id>(
       "connectivity", mesh,
-      [&mesh](std::size_t t) {
-        const auto& v = mesh.triangles[t].v;
-        return std::array<Id, 3>{static_cast<Id>(v[0]), static_cast<Id>(v[1]), static_cast<Id>(v[2])};
+      [=](std::size_t t) {
+        const std::array<Id, 3> v = corners(t);
+        const std::array<Index, 3> m = second->of_triangle(t);
+        return std::array<Id, 6>{v[0], v[1], v[2], middle(m[0]), middle(m[1]), middle(m[2])};
       },
-      [&mesh](std::size_t i) {
-        const ConstrainedEdge& edge = mesh.constrained_edges[i];
-        return std::array<Id, 2>{static_cast<Id>(edge.a), static_cast<Id>(edge.b)};
+      [=](std::size_t i) {
+        const std::array<Id, 2> v = ends(i);
+        return std::array<Id, 3>{v[0], v[1], middle(second->of_line[i])};
       });
+}
+
+/// If 32 bits suffice for Id, the file is half as large as with 64 bits.
+template <class Id>
+Section cells(const Mesh& mesh, MaybeMiddles second) {
+  const std::size_t n = mesh.triangles.size(), of_triangle = second == nullptr ? 3 : 6,
+                    of_line = second == nullptr ? 2 : 3;
   const auto offsets = cell_array<Id>(
-      "offsets", mesh, [](std::size_t t) { return static_cast<Id>(3 * (t + 1)); },
-      [n](std::size_t i) { return static_cast<Id>(3 * n + 2 * (i + 1)); });
-  static constexpr std::uint8_t vtk_line = 3, vtk_triangle = 5;
+      "offsets", mesh, [=](std::size_t t) { return static_cast<Id>(of_triangle * (t + 1)); },
+      [=](std::size_t i) { return static_cast<Id>(of_triangle * n + of_line * (i + 1)); });
+  const std::uint8_t triangle = second == nullptr ? vtu_triangle : vtu_triangle_of_6,
+                     line = second == nullptr ? vtu_line : vtu_line_of_3;
   const auto types = cell_array<std::uint8_t>(
-      "types", mesh, [](std::size_t) { return vtk_triangle; }, [](std::size_t) { return vtk_line; });
-  return {"Cells", {connectivity, offsets, types}};
+      "types", mesh, [=](std::size_t) { return triangle; }, [=](std::size_t) { return line; });
+  return {"Cells", {connectivity<Id>(mesh, second), offsets, types}};
 }
 
 AppendedArray quality(const Mesh& mesh) {
@@ -95,21 +118,19 @@ AppendedArray quality(const Mesh& mesh) {
       [](std::size_t) { return std::numeric_limits<double>::quiet_NaN(); });
 }
 
-/// Adds the fields at the points or in the triangles. Lines have no values.
-void put_fields(std::vector<AppendedArray>& arrays, const Mesh& mesh, Field::Place place) {
+/// Adds the fields in the triangles. Lines have no values.
+void put_fields_in_triangles(std::vector<AppendedArray>& arrays, const Mesh& mesh) {
   const std::vector<std::string> names = names_of_vtu_fields(mesh);
   for (std::size_t i = 0; i < mesh.fields.size(); ++i) {
     const Field& field = mesh.fields[i];
-    if (field.place != place) continue;
+    if (field.place != Field::Place::triangles) continue;
     AppendedArray array = stored_array(xml_value(names[i]), field.components, field.values.span());
-    if (place == Field::Place::triangles) {
-      const std::size_t more = mesh.constrained_edges.size() * field.components;
-      array.bytes += more * sizeof(double);
-      array.write = [triangles = std::move(array.write), more](OutputFile& out) {
-        triangles(out);
-        write_values(out, more, [](std::size_t) { return std::numeric_limits<double>::quiet_NaN(); });
-      };
-    }
+    const std::size_t more = mesh.constrained_edges.size() * field.components;
+    array.bytes += more * sizeof(double);
+    array.write = [triangles = std::move(array.write), more](OutputFile& out) {
+      triangles(out);
+      write_values(out, more, [](std::size_t) { return std::numeric_limits<double>::quiet_NaN(); });
+    };
     arrays.push_back(std::move(array));
   }
 }
@@ -132,20 +153,50 @@ Section cell_data(const Mesh& mesh, bool always_markers) {
         "marker", mesh, [](std::size_t) { return std::int32_t{0}; },
         [&mesh](std::size_t i) { return std::int32_t{mesh.constrained_edges[i].marker}; }));
   }
-  put_fields(section.second, mesh, Field::Place::triangles);
+  put_fields_in_triangles(section.second, mesh);
   if (!has_own_quality(mesh)) section.second.push_back(quality(mesh));
   return section;
 }
 
+/// An array of the points: the values of the vertices, then those of the middles, of_middle(m).
+template <class T, class OfMiddle>
+AppendedArray point_array(std::string name, std::size_t components, std::span<const T> values, MaybeMiddles second,
+                          OfMiddle of_middle) {
+  AppendedArray array = stored_array(std::move(name), components, values);
+  if (second == nullptr) return array;
+  const std::size_t middles = second->edges.size();
+  array.bytes += middles * components * sizeof(T);
+  array.write = [write = array.write, middles, components, of_middle](OutputFile& out) {
+    write(out);
+    write_values(out, middles * components, of_middle);
+  };
+  return array;
+}
+
+/// The values at a middle are the means of those at the ends of its edge.
+AppendedArray real_array_of_points(std::string name, std::size_t components, const Array<double>& values,
+                                   MaybeMiddles second) {
+  return point_array(std::move(name), components, values.span(), second,
+                     [&values, second, components](std::size_t i) { return second->mean(values, components, i); });
+}
+
+void put_fields_at_points(std::vector<AppendedArray>& arrays, const Mesh& mesh, MaybeMiddles second) {
+  const std::vector<std::string> names = names_of_vtu_fields(mesh);
+  for (std::size_t i = 0; i < mesh.fields.size(); ++i)
+    if (const Field& field = mesh.fields[i]; field.place == Field::Place::points)
+      arrays.push_back(real_array_of_points(xml_value(names[i]), field.components, field.values, second));
+}
+
 /// `inferred`: for vertex_markers(), because all pieces have markers.
-Section point_data(const Mesh& mesh, Array<int>& inferred, const PieceNumbers& numbers) {
+Section point_data(const Mesh& mesh, Array<int>& inferred, const PieceNumbers& numbers, MaybeMiddles second) {
   Section section{"PointData", {}};
   if (numbers || !mesh.point_markers.empty())
-    section.second.push_back(stored_array("marker", 1, vertex_markers(mesh, inferred)));
+    section.second.push_back(point_array("marker", 1, vertex_markers(mesh, inferred), second,
+                                         [second](std::size_t m) { return second->edges[m].marker; }));
   if (numbers) section.second.push_back(stored_array(vtu_vertex_numbers, 1, *numbers));
   if (const std::size_t k = mesh.attributes_per_point; k > 0)
-    section.second.push_back(stored_array("attributes", k, mesh.point_attributes.span()));
-  put_fields(section.second, mesh, Field::Place::points);
+    section.second.push_back(real_array_of_points("attributes", k, mesh.point_attributes, second));
+  put_fields_at_points(section.second, mesh, second);
   return section;
 }
 
@@ -171,19 +222,25 @@ void put_names(Bytes& to, const Mesh& mesh) {
   to << "</FieldData>\n";
 }
 
-void write(const Mesh& mesh, const PieceNumbers& numbers, OutputFile& out) {
-  const std::size_t n = mesh.points.size();
+void write(const Mesh& mesh, const PieceNumbers& numbers, MaybeMiddles second, OutputFile& out) {
+  const std::size_t vertices = mesh.points.size(), middles = second == nullptr ? 0 : second->edges.size();
+  const std::size_t n = vertices + middles;
   Array<int> inferred;
-  const auto write_points = [&mesh, n](OutputFile& to) {
-    write_values(to, n, [&mesh](std::size_t i) {
+  const auto write_points = [&mesh, vertices, middles, second](OutputFile& to) {
+    write_values(to, vertices, [&mesh](std::size_t i) {
       return std::array<double, 3>{mesh.points[i].x, mesh.points[i].y, 0.0};
+    });
+    write_values(to, middles, [&mesh, second](std::size_t m) {
+      const Point p = second->point(mesh, m);
+      return std::array<double, 3>{p.x, p.y, 0.0};
     });
   };
   const Section points{"Points", {{type_name<double>(), "Points", 3, 3 * n * sizeof(double), write_points}}};
   constexpr std::size_t most = std::numeric_limits<std::int32_t>::max();
-  const bool small = n <= most && 3 * cell_count(mesh) <= most;
-  const std::vector<Section> sections{points, small ? cells<std::int32_t>(mesh) : cells<std::int64_t>(mesh),
-                                      cell_data(mesh, numbers.has_value()), point_data(mesh, inferred, numbers)};
+  const bool small = n <= most && (second == nullptr ? 3 : 6) * cell_count(mesh) <= most;
+  const std::vector<Section> sections{
+      points, small ? cells<std::int32_t>(mesh, second) : cells<std::int64_t>(mesh, second),
+      cell_data(mesh, numbers.has_value()), point_data(mesh, inferred, numbers, second)};
 
   Bytes header;
   header << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\""
@@ -211,9 +268,11 @@ void put_array(Bytes& to, const char* type, const char* name, std::size_t compon
 
 }  // namespace
 
-Status write_vtu(const Mesh& mesh, const std::filesystem::path& file) {
+Status write_vtu(const Mesh& mesh, const std::filesystem::path& file, ElementOrder elements) {
   OutputFile out(file);
-  write(mesh, std::nullopt, out);
+  std::optional<Middles> middles;
+  if (elements == ElementOrder::second) middles = middles_of(mesh);
+  write(mesh, std::nullopt, middles ? &*middles : nullptr, out);
   return out.commit();
 }
 
@@ -229,7 +288,7 @@ Status VtuPieces::add(const Mesh& mesh, std::span<const std::uint64_t> numbers, 
   constexpr std::size_t most_unnamed = 200;
   using enum OutputFile::Aside;
   OutputFile& out = files_->all.emplace_back(file, files_->all.size() < most_unnamed ? unnamed : named);
-  write(mesh, numbers, out);
+  write(mesh, numbers, nullptr, out);
   return out.close();
 }
 

@@ -108,6 +108,37 @@ KnownFile any_pvtu(Random& random, const Scratch& scratch) {
   return {bundle_of(scratch, {"mesh.pvtu", "piece_0.vtu", "piece_1.vtu"}), std::move(mesh), false};
 }
 
+/// One attribute per point, and no markers of points, as in formats with a height or a depth.
+Mesh with_heights(Mesh mesh) {
+  mesh = without_data_of_points(std::move(mesh));
+  mesh.attributes_per_point = 1;
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) mesh.point_attributes.push_back(static_cast<double>(i) / 3);
+  return mesh;
+}
+
+/// The regions of a .2dm are materials: whole numbers from 1 on. The order of the edges changes.
+KnownFile any_2dm(Random& random, const Scratch& scratch) {
+  Mesh mesh = with_heights(any_mesh(random));
+  mesh.region_attributes = {3};
+  mesh.region.clear();
+  mesh.region.resize(mesh.triangles.size(), 0);
+  require_written(write_2dm(mesh, scratch / "mesh.2dm"));
+  return {contents(scratch / "mesh.2dm"), std::move(mesh), false};
+}
+
+/// The constrained edges of a .gr3 are those of the boundary; where all is land, they have the marker 1.
+KnownFile any_gr3(Random& random, const Scratch& scratch) {
+  Mesh mesh = with_heights(any_mesh(random));
+  mesh.region.clear();
+  mesh.region_attributes.clear();
+  mesh.constrained_edges.clear();
+  for (const Triangle& t : mesh.triangles)
+    for (std::size_t i = 0; i < 3; ++i)
+      if (t.n[i] == no_index) mesh.constrained_edges.push_back({t.v[(i + 1) % 3], t.v[(i + 2) % 3], no_index, 1});
+  require_written(write_gr3(mesh, scratch / "mesh.gr3"));
+  return {contents(scratch / "mesh.gr3"), std::move(mesh), false};
+}
+
 KnownFile any_single_file(Mesh mesh, const fs::path& file) {
   require_written(write_mesh(mesh, {}, file));
   return {contents(file), std::move(mesh)};
@@ -125,6 +156,8 @@ KnownFile any_known_file(Random& random, const std::string& main_file) {
   if (suffix == ".poly") return any_poly(random, scratch);
   if (suffix == ".ele") return any_triangle_files(random, scratch);
   if (suffix == ".msh") return any_msh(random, scratch);
+  if (suffix == ".2dm") return any_2dm(random, scratch);
+  if (suffix == ".gr3") return any_gr3(random, scratch);
   if (suffix == ".pvtu") return any_pvtu(random, scratch);
   Mesh mesh = any_mesh(random);
   if (suffix == ".vtu") add_fields_and_names(mesh, random);

@@ -97,7 +97,7 @@ TEST_F(BesideMesh, fields_and_names_go_from_msh_to_vtu_and_back) {
 }
 
 TEST_F(BesideMesh, a_format_without_fields_and_names_makes_a_note) {
-  for (const std::string to : {"t.off", "t.node"}) {
+  for (const std::string to : {"t.off", "t.node", "t.vtk", "t.2dm", "t.gr3", "t.inp"}) {
     const Ran ran = pardel({"convert", "tank.msh", to});
     EXPECT_EQ(ran.exit_code, 0) << ran;
     EXPECT_TRUE(holds(ran.err, {" cannot store: ",
@@ -111,6 +111,29 @@ TEST_F(BesideMesh, middle_nodes_that_are_left_out_make_a_note) {
   ASSERT_EQ(pardel({"triangle", "-po2Q", "square.poly"}).exit_code, 0);
   EXPECT_EQ(pardel({"convert", "square.1.ele", "s.vtu"}).err,
             "pardel: square.1.ele: note: not read: the middle nodes of triangles\n");
+}
+
+TEST_F(BesideMesh, fields_of_order_2_are_those_of_the_vertices_when_they_are_read) {
+  ASSERT_EQ(pardel({"convert", "tank.msh", "first.msh", "--msh-ascii"}).exit_code, 0);
+  for (const std::string second : {"second.msh", "second.vtu"}) {
+    ASSERT_EQ(pardel({"convert", "tank.msh", second, "--order", "2"}).exit_code, 0);
+    const Ran back = pardel({"convert", second, "back.msh", "--msh-ascii"});
+    EXPECT_TRUE(holds(back.err, {"the file has the fields \"T\" at points, \"flow\" in triangles\n",
+                                 "not read: the middle nodes of triangles\n"}))
+        << back;
+    std::string expected = read("first.msh");
+    if (second == "second.vtu") expected.replace(expected.find("\n0.5\n3\n"), 7, "\n0\n3\n");
+    EXPECT_EQ(read("back.msh"), expected) << second;
+  }
+}
+
+TEST_F(BesideMesh, arrays_of_a_vtk_that_are_not_read_make_a_note) {
+  write("t.vtk",
+        "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 3 double\n0 0 0 1 0 0 0 1 0\n"
+        "CELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n5\nPOINT_DATA 3\nSCALARS T double\nLOOKUP_TABLE default\n1 2 3\n"
+        "VECTORS speed double\n0 0 0 1 1 0 2 2 0\n");
+  EXPECT_EQ(pardel({"convert", "t.vtk", "t.vtu"}).err,
+            "pardel: t.vtk: note: not read: the array \"T\", the array \"speed\"\n");
 }
 
 TEST_F(BesideMesh, a_refined_mesh_keeps_the_names_and_the_report_lists_them) {

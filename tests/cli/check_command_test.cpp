@@ -210,5 +210,18 @@ TEST_F(CheckCommand, a_wrong_region_is_named_by_its_attribute) {
       << ran;
 }
 
+/// A height stands for an attribute, a material for a region, and the boundaries of a .gr3 have no markers.
+TEST_F(CheckCommand, a_mesh_is_compared_as_far_as_its_format_can_store_it) {
+  write("d.poly",
+        "5 2 2 0\n1 0 0 5 6\n2 2 0 5 6\n3 2 1 5 6\n4 0 1 5 6\n5 1 1 7 8\n6 1\n1 1 2 3\n2 2 3 2\n3 3 5 1\n"
+        "4 5 4 1\n5 4 1 1\n6 5 1 9\n0\n2\n1 0.1 0.5 4 -1\n2 1.5 0.5 6 -1\n");
+  for (const std::string name : {"m.vtk", "m.2dm", "m.gr3", "m.14"}) {
+    EXPECT_EQ(pardel({"mesh", "d.poly", "-o", name, "--max-area", "0.01"}).exit_code, 0);
+    const Ran ran = pardel({"check", "d.poly", name, "--max-area", "0.01"});
+    EXPECT_EQ(ran.exit_code, 0) << name << ran;
+    EXPECT_EQ(pardel({"check", "d.poly", name, "--max-area", "0.001"}).exit_code, 1) << name;
+  }
+}
+
 }  // namespace
 }  // namespace pardel::testing

@@ -184,6 +184,92 @@ PARDEL_PROPERTY(RoundTrip, of_a_mesh_through_off_keeps_its_points_triangles_and_
   RC_ASSERT(std::ranges::equal(read.constrained_edges, mesh.constrained_edges, {}, ends_and_marker, ends_and_marker));
 }
 
+PARDEL_PROPERTY(RoundTrip, of_a_mesh_through_vtk_changes_nothing,
+                {.statement = "a mesh written as a legacy .vtk reads back equal",
+                 .source = "core/formats.hpp",
+                 .families = "values of every shape"}) {
+  const TemporaryFolder folder;
+  const Mesh mesh = any_mesh();
+  RC_ASSERT(write_vtk(mesh, folder / "m.vtk").ok());
+  RC_ASSERT(read_back(folder, "m.vtk") == mesh);
+}
+
+/// The ends and the markers of the constrained edges, in an order that does not depend on that of the edges.
+std::vector<std::tuple<Index, Index, int>> sorted_edges(const Mesh& mesh) {
+  std::vector<std::tuple<Index, Index, int>> edges;
+  for (const ConstrainedEdge& e : mesh.constrained_edges)
+    edges.emplace_back(std::min(e.a, e.b), std::max(e.a, e.b), e.marker);
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+/// The first attribute of each point, or 0, as files with a height have it.
+std::vector<double> heights(const Mesh& mesh) {
+  std::vector<double> heights(mesh.points.size(), 0);
+  const std::size_t k = mesh.attributes_per_point;
+  for (std::size_t i = 0; i < heights.size() && k > 0; ++i) heights[i] = mesh.point_attributes[i * k];
+  return heights;
+}
+
+PARDEL_PROPERTY(
+    RoundTrip, of_a_mesh_through_2dm_keeps_its_points_triangles_and_edges,
+    {.statement = "a mesh written as .2dm reads back with the same points, heights, triangles and constrained "
+                  "edges; written again, it does not change",
+     .source = "core/formats.hpp",
+     .families = "values of every shape"}) {
+  const TemporaryFolder folder;
+  const Mesh mesh = any_mesh();
+  RC_ASSERT(write_2dm(mesh, folder / "m.2dm").ok());
+  const Mesh read = read_back(folder, "m.2dm");
+  RC_ASSERT(read.points == mesh.points);
+  RC_ASSERT(read.triangles == mesh.triangles);
+  RC_ASSERT(heights(read) == heights(mesh));
+  RC_ASSERT(sorted_edges(read) == sorted_edges(mesh));
+  RC_ASSERT(read.region_attributes.size() ==
+            (mesh.triangles.empty() ? 0 : std::max<std::size_t>(1, mesh.region_attributes.size())));
+  RC_ASSERT(write_2dm(read, folder / "again.2dm").ok());
+  RC_ASSERT(read_back(folder, "again.2dm") == read);
+}
+
+PARDEL_PROPERTY(
+    RoundTrip, of_a_mesh_through_gr3_keeps_its_points_triangles_and_boundary,
+    {.statement = "a mesh written as .gr3 reads back with the same points, depths and triangles, and with the "
+                  "edges of one triangle as constrained edges; written again, it does not change",
+     .source = "core/formats.hpp",
+     .families = "values of every shape"}) {
+  const TemporaryFolder folder;
+  const Mesh mesh = any_mesh();
+  RC_ASSERT(write_gr3(mesh, folder / "m.gr3").ok());
+  const Mesh read = read_back(folder, "m.gr3");
+  RC_ASSERT(read.points == mesh.points);
+  RC_ASSERT(read.triangles == mesh.triangles);
+  RC_ASSERT(heights(read) == heights(mesh));
+  Mesh boundary;
+  for (const Triangle& t : mesh.triangles)
+    for (std::size_t i = 0; i < 3; ++i)
+      if (t.n[i] == no_index) boundary.constrained_edges.push_back({t.v[(i + 1) % 3], t.v[(i + 2) % 3], no_index, 1});
+  RC_ASSERT(sorted_edges(read) == sorted_edges(boundary));
+  RC_ASSERT(write_gr3(read, folder / "again.gr3").ok());
+  RC_ASSERT(read_back(folder, "again.gr3") == read);
+}
+
+PARDEL_PROPERTY(
+    RoundTrip, of_a_mesh_with_six_nodes_per_triangle_gives_the_mesh_of_its_corners,
+    {.statement = "a mesh written in second order as .vtu reads back equal, as .msh with the same points and "
+                  "digest",
+     .source = "core/formats.hpp",
+     .families = "values of every shape"}) {
+  const TemporaryFolder folder;
+  const Mesh mesh = any_mesh();
+  RC_ASSERT(write_vtu(mesh, folder / "m.vtu", ElementOrder::second).ok());
+  RC_ASSERT(read_back(folder, "m.vtu") == mesh);
+  const MshEncoding encoding = either() ? MshEncoding::ascii : MshEncoding::binary;
+  RC_ASSERT(write_msh(mesh, folder / "m.msh", encoding, ElementOrder::second).ok());
+  const Mesh read = read_back(folder, "m.msh");
+  RC_ASSERT(read.points == mesh.points);
+  RC_ASSERT(digest(read) == digest(mesh));
+}
+
 /// A random byte of those that can make a correct file wrong.
 char any_damage() { return "0123456789-.e <>\n\x00\xff"[below(19)]; }
 
@@ -214,11 +300,11 @@ PARDEL_PROPERTY(
 PARDEL_PROPERTY(Readers, never_fail_but_by_an_error,
                 {.statement = "a file with some bytes changed reads as a value or gives an error with a message",
                  .source = "core/formats.hpp",
-                 .families = "files of four formats"}) {
+                 .families = "files of seven formats"}) {
   const TemporaryFolder folder;
   const Mesh mesh = any_mesh();
-  const char* names[] = {"m.vtu", "m.off", "m.ele", "m.msh"};
-  const char* name = names[below(4)];
+  const char* names[] = {"m.vtu", "m.off", "m.ele", "m.msh", "m.vtk", "m.2dm", "m.gr3"};
+  const char* name = names[below(7)];
   RC_ASSERT(write_mesh(mesh, {}, folder / name).ok());
   std::string bytes = folder.read(name);
   for (std::size_t i = 1 + up_to(4); i > 0; --i) {

@@ -228,7 +228,7 @@ TEST(TriangleFiles, errors_name_the_line_and_the_fault) {
 
 TEST(MeshFiles, without_a_suffix_are_known_by_their_beginning) {
   const TemporaryFolder folder;
-  for (const char* name : {"m.off", "m.msh", "m.vtu"}) {
+  for (const char* name : {"m.off", "m.msh", "m.vtu", "m.vtk", "m.2dm"}) {
     ASSERT_TRUE(write_mesh(sample_mesh(), {}, folder / name).ok());
     const auto named = read_mesh(folder / name);
     folder.write("mesh", folder.read(name));
@@ -237,7 +237,8 @@ TEST(MeshFiles, without_a_suffix_are_known_by_their_beginning) {
     EXPECT_EQ(*nameless, *named) << name;
   }
   folder.write("mesh", "solid");
-  EXPECT_NE(read_mesh(folder / "mesh").error().message.find("must be .msh, .vtu or .off"), std::string::npos);
+  EXPECT_NE(read_mesh(folder / "mesh").error().message.find("must be .msh, .vtu, .off, .vtk or .2dm"),
+            std::string::npos);
 }
 
 TEST(MeshFiles, are_known_by_their_suffix) {

@@ -1,0 +1,90 @@
+#include "middles.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace pardel::files {
+namespace {
+
+/// Removes the values of the points that have no new index. The other indices ascend.
+template <class T>
+void keep(Array<T>& values, std::size_t per_point, const std::vector<Index>& number) {
+  std::size_t end = 0;
+  for (std::size_t node = 0; node < number.size(); ++node)
+    for (std::size_t k = 0; k < per_point && number[node] != no_index; ++k)
+      values[end++] = values[node * per_point + k];
+  values.resize(end);
+}
+
+/// The numbers that the points have in the file, if they do not follow one another. Numbers in a file ascend.
+void keep_numbers(Mesh& mesh, const std::vector<Index>& number) {
+  NumbersInFile numbers;
+  for (Index node = 0; node < number.size(); ++node)
+    if (number[node] != no_index) numbers.of_points.push_back(number_in_file(mesh, node));
+  const std::size_t kept = numbers.of_points.size();
+  const bool follow = kept == 0 || numbers.of_points.back() - static_cast<unsigned>(mesh.first_id.value) == kept - 1;
+  mesh.numbers = follow ? NumbersInFile{} : std::move(numbers);
+}
+
+}  // namespace
+
+Middles middles_of(const Mesh& mesh) {
+  EdgeTable table = edge_table(mesh);
+  Middles middles{std::move(table.edges), std::move(table.edge_of_side), {}};
+  const std::vector<ConstrainedEdge>& lines = mesh.constrained_edges;
+  middles.of_line.resize(lines.size(), no_index);
+  std::vector<Index> sorted(lines.size());
+  std::iota(sorted.begin(), sorted.end(), Index{0});
+  const auto ends = [&](Index line) { return std::pair(std::minmax(lines[line].a, lines[line].b)); };
+  std::ranges::sort(sorted, {}, ends);
+  for (Index e = 0; e < middles.edges.size(); ++e)
+    for (const Index line :
+         std::ranges::equal_range(sorted, std::pair(std::minmax(middles.edges[e].a, middles.edges[e].b)), {}, ends))
+      middles.of_line[line] = e;
+  for (Index line = 0; line < lines.size(); ++line) {  // constrained edges that are no edges of triangles
+    if (middles.of_line[line] != no_index) continue;
+    middles.of_line[line] = static_cast<Index>(middles.edges.size());
+    middles.edges.push_back({lines[line].a, lines[line].b, lines[line].marker});
+  }
+  return middles;
+}
+
+std::vector<Field> with_middles(std::vector<Field> fields, const Middles& middles) {
+  for (Field& field : fields) {
+    if (field.place != Field::Place::points) continue;
+    const std::size_t of_vertices = field.values.size(), of_middles = middles.edges.size() * field.components;
+    field.values.resize(of_vertices + of_middles);
+    for (std::size_t i = 0; i < of_middles; ++i)
+      field.values[of_vertices + i] = middles.mean(field.values, field.components, i);
+  }
+  return fields;
+}
+
+std::vector<Index> remove_middles(Mesh& mesh, std::vector<char> is_middle) {
+  for (const Triangle& triangle : mesh.triangles) {
+    for (const Index corner : triangle.v) is_middle[corner] = 0;
+  }
+  for (const ConstrainedEdge& edge : mesh.constrained_edges) is_middle[edge.a] = is_middle[edge.b] = 0;
+  std::vector<Index> number(mesh.points.size(), no_index);
+  Index kept = 0;
+  for (std::size_t node = 0; node < number.size(); ++node)
+    if (is_middle[node] == 0) number[node] = kept++;
+  keep_numbers(mesh, number);
+  keep(mesh.points, 1, number);
+  keep(mesh.point_attributes, mesh.attributes_per_point, number);
+  if (!mesh.point_markers.empty()) keep(mesh.point_markers, 1, number);
+  for (Field& field : mesh.fields)
+    if (field.place == Field::Place::points) keep(field.values, field.components, number);
+  for (Triangle& triangle : mesh.triangles) {
+    for (Index& corner : triangle.v) corner = number[corner];
+  }
+  for (ConstrainedEdge& edge : mesh.constrained_edges) {
+    edge.a = number[edge.a];
+    edge.b = number[edge.b];
+  }
+  mesh.left_out.add("the middle nodes of triangles");
+  return number;
+}
+
+}  // namespace pardel::files

@@ -1,0 +1,90 @@
+// Writes legacy files of VTK as text: the cells are the triangles, then the constrained edges as lines.
+#include "../formats.hpp"
+#include "records.hpp"
+
+namespace pardel {
+using namespace files;
+namespace {
+
+/// One row per cell: put_triangle(to, t), then put_line(to, i).
+template <class PutTriangle, class PutLine>
+void write_cells(OutputFile& out, const Mesh& mesh, const PutTriangle& put_triangle, const PutLine& put_line) {
+  write_records(out, mesh.triangles.size(), [&](Bytes& to, std::size_t t) {
+    put_triangle(to, t);
+    to << '\n';
+  });
+  write_records(out, mesh.constrained_edges.size(), [&](Bytes& to, std::size_t i) {
+    put_line(to, mesh.constrained_edges[i]);
+    to << '\n';
+  });
+}
+
+void write_geometry(OutputFile& out, const Mesh& mesh) {
+  const std::size_t triangles = mesh.triangles.size(), lines = mesh.constrained_edges.size();
+  out.write((Bytes() << "POINTS " << mesh.points.size() << " double\n").view());
+  write_records(out, mesh.points.size(),
+                [&](Bytes& to, std::size_t i) { to.numbers(mesh.points[i].x, mesh.points[i].y) << " 0\n"; });
+  out.write((Bytes() << "CELLS " << triangles + lines << ' ' << 4 * triangles + 3 * lines << '\n').view());
+  write_cells(
+      out, mesh,
+      [&](Bytes& to, std::size_t t) {
+        const auto& v = mesh.triangles[t].v;
+        to.numbers(3, v[0], v[1], v[2]);
+      },
+      [](Bytes& to, const ConstrainedEdge& edge) { to.numbers(2, edge.a, edge.b); });
+  out.write((Bytes() << "CELL_TYPES " << triangles + lines << '\n').view());
+  write_cells(
+      out, mesh, [](Bytes& to, std::size_t) { to << '5'; }, [](Bytes& to, const ConstrainedEdge&) { to << '3'; });
+}
+
+void write_cell_data(OutputFile& out, const Mesh& mesh) {
+  const std::size_t cells = mesh.triangles.size() + mesh.constrained_edges.size();
+  const bool has_regions = !mesh.region.empty(), has_markers = !mesh.constrained_edges.empty();
+  if (!has_regions && !has_markers) return;
+  out.write(
+      (Bytes() << "CELL_DATA " << cells << "\nFIELD FieldData " << int{has_regions} + int{has_markers} << '\n').view());
+  if (has_regions) {
+    out.write((Bytes() << "region 1 " << cells << " double\n").view());
+    write_cells(
+        out, mesh,
+        [&](Bytes& to, std::size_t t) {
+          to << (mesh.region[t] == no_index ? 0.0 : mesh.region_attributes[mesh.region[t]]);
+        },
+        [](Bytes& to, const ConstrainedEdge&) { to << '0'; });
+  }
+  if (!has_markers) return;
+  out.write((Bytes() << "marker 1 " << cells << " int\n").view());
+  write_cells(
+      out, mesh, [](Bytes& to, std::size_t) { to << '0'; },
+      [](Bytes& to, const ConstrainedEdge& edge) { to << edge.marker; });
+}
+
+void write_point_data(OutputFile& out, const Mesh& mesh) {
+  const std::size_t n = mesh.points.size(), k = mesh.attributes_per_point;
+  const bool has_markers = !mesh.point_markers.empty(), has_attributes = k > 0;
+  if (!has_markers && !has_attributes) return;
+  out.write(
+      (Bytes() << "POINT_DATA " << n << "\nFIELD FieldData " << int{has_markers} + int{has_attributes} << '\n').view());
+  if (has_markers) {
+    out.write((Bytes() << "marker 1 " << n << " int\n").view());
+    write_records(out, n, [&](Bytes& to, std::size_t i) { to << mesh.point_markers[i] << '\n'; });
+  }
+  if (!has_attributes) return;
+  out.write((Bytes() << "attributes " << k << ' ' << n << " double\n").view());
+  write_records(out, n, [&](Bytes& to, std::size_t i) {
+    for (std::size_t j = 0; j < k; ++j) to << mesh.point_attributes[i * k + j] << (j + 1 < k ? ' ' : '\n');
+  });
+}
+
+}  // namespace
+
+Status write_vtk(const Mesh& mesh, const std::filesystem::path& file) {
+  OutputFile out(file);
+  out.write("# vtk DataFile Version 3.0\npardel\nASCII\nDATASET UNSTRUCTURED_GRID\n");
+  write_geometry(out, mesh);
+  write_cell_data(out, mesh);
+  write_point_data(out, mesh);
+  return out.commit();
+}
+
+}  // namespace pardel

@@ -1,0 +1,127 @@
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "../../../core/formats.hpp"
+#include "../../temporary_folder.hpp"
+#include "../sample_mesh.hpp"
+#include "broken_text.hpp"
+
+namespace pardel {
+namespace {
+
+TEST(Vtk, has_triangles_then_lines_with_their_regions_and_markers) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(write_vtk(sample_mesh(), folder / "m.vtk").ok());
+  EXPECT_EQ(folder.read("m.vtk"),
+            "# vtk DataFile Version 3.0\npardel\nASCII\nDATASET UNSTRUCTURED_GRID\n"
+            "POINTS 6 double\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n1 1 0\n5 5 0\n"
+            "CELLS 9 31\n3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n2 0 1\n2 1 2\n2 2 3\n2 3 0\n2 2 4\n"
+            "CELL_TYPES 9\n5\n5\n5\n5\n3\n3\n3\n3\n3\n"
+            "CELL_DATA 9\nFIELD FieldData 2\nregion 1 9 double\n2.5\n7\n2.5\n7\n0\n0\n0\n0\n0\n"
+            "marker 1 9 int\n0\n0\n0\n0\n1\n5\n1\n-4\n0\n"
+            "POINT_DATA 6\nFIELD FieldData 2\nmarker 1 6 int\n1\n5\n5\n1\n9\n0\n"
+            "attributes 1 6 double\n0.5\n1.5\n0.1\n-3\n1e-300\n1e+300\n");
+  const auto read = read_mesh(folder / "m.vtk");
+  ASSERT_TRUE(read.ok()) << read.error().message;
+  EXPECT_EQ(*read, sample_mesh());
+}
+
+/// As VTK 9 writes it: offsets and connectivity, several values per line, metadata, arrays that mean nothing here.
+constexpr const char* of_vtk_9 = R"(# vtk DataFile Version 5.1
+vtk output
+ASCII
+DATASET UNSTRUCTURED_GRID
+FIELD FieldData 1
+TIME 1 1 double
+0.5
+METADATA
+INFORMATION 0
+
+POINTS 4 float
+0 0 0 1 0 0 1 1 0
+0 1 0
+METADATA
+INFORMATION 0
+
+CELLS 5 9
+OFFSETS vtktypeint64
+0 3 6 8 9
+CONNECTIVITY vtktypeint64
+0 1 2 0
+2 3 3 0 1
+
+CELL_TYPES 4
+5
+5
+3
+1
+
+CELL_DATA 4
+SCALARS quality double
+LOOKUP_TABLE default
+nan 1 2 3
+SCALARS marker int 1
+LOOKUP_TABLE default
+0 0 8 0
+VECTORS flow float
+1 2 3 1 2 3 1 2 3 1 2 3
+FIELD FieldData 1
+region 1 4 double
+6 7 0 0
+METADATA
+INFORMATION 0
+
+POINT_DATA 4
+NORMALS n float
+0 0 1 0 0 1 0 0 1 0 0 1
+COLOR_SCALARS c 2
+0 0 0 0 0 0 0 0
+SCALARS size double
+LOOKUP_TABLE mine
+1 2 3 4
+LOOKUP_TABLE mine 1
+0 0 0 1
+)";
+
+TEST(Vtk, of_version_5_with_other_arrays_is_read) {
+  const TemporaryFolder folder;
+  const auto read = read_mesh(folder.write("m.vtk", of_vtk_9));
+  ASSERT_TRUE(read.ok()) << read.error().message;
+  EXPECT_EQ(read->points.size(), 4U);
+  EXPECT_EQ(read->triangles[1].v, (std::array<Index, 3>{0, 2, 3}));
+  EXPECT_EQ(read->constrained_edges, (std::vector<ConstrainedEdge>{{3, 0, no_index, 8}}));
+  EXPECT_EQ(read->region_attributes, (std::vector<double>{6, 7}));
+  ASSERT_EQ(read->attributes_per_point, 1U);
+  EXPECT_EQ(read->point_attributes[3], 4);
+}
+
+TEST(Vtk, errors_name_the_line_and_the_fault) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(write_vtk(sample_mesh(), folder / "m.vtk").ok());
+  const std::string text = folder.read("m.vtk");
+  const auto failure = [&](const std::string& from, const std::string& to) {
+    return message_of(read_mesh(folder.write("w.vtk", replaced(text, from, to))), folder);
+  };
+  EXPECT_EQ(failure("# vtk", "# VTK"), "w.vtk:1: expected \"# vtk DataFile Version\"");
+  EXPECT_EQ(failure("ASCII", "BINARY"), "w.vtk:3: expected ASCII, found \"BINARY\"; only text files are read");
+  EXPECT_EQ(failure("UNSTRUCTURED_GRID", "POLYDATA"), "w.vtk:4: expected UNSTRUCTURED_GRID, found \"POLYDATA\"");
+  EXPECT_EQ(failure("2 2 0\n", "2 inf 0\n"),
+            "w.vtk:8: expected a y coordinate, finite and within the range of a double, found \"inf\"");
+  EXPECT_EQ(failure("POINTS 6", "POINTS 600"),
+            "w.vtk:5: announces 600 points, but the rest of the file is too short for that");
+  EXPECT_EQ(failure("3 1 2 4", "3 1 2 6"), "w.vtk:14: expected a point, a whole number from 0 to 5, found \"6\"");
+  EXPECT_EQ(failure("CELL_TYPES 9\n5\n", "CELL_TYPES 9\n9\n"),
+            "w.vtk:23: cell 0 is of type 9, neither a triangle (5) nor a line (3) nor a vertex (1)");
+  EXPECT_EQ(failure("CELL_TYPES 9\n5\n", "CELL_TYPES 9\n3\n"), "w.vtk:23: cell 0 of type 3 has 3 points");
+  EXPECT_EQ(failure("CELL_TYPES 9", "CELL_TYPES 8"), "w.vtk:22: expected as many cells as CELLS has, 9");
+  EXPECT_EQ(failure("POINT_DATA 6", "POINT_DATA 5"), "w.vtk:54: expected as many values as there are points, 6");
+  EXPECT_EQ(failure("FIELD", "FOLD"), "w.vtk:33: expected a section, found \"FOLD\"");
+  EXPECT_EQ(failure("marker 1 9 int\n0\n", "marker 1 9 int\n0.5\n"),
+            "w.vtk:45: expected a marker, a whole number, found \"0.5\"");
+  EXPECT_EQ(message_of(read_mesh(folder.write("w.vtk", text.substr(0, text.find("CELL_TYPES")))), folder),
+            "w.vtk:22: expected CELL_TYPES, found the end of the file");
+}
+
+}  // namespace
+}  // namespace pardel
