@@ -155,7 +155,7 @@ Result<ExitCode> run(const DoctorArguments& arguments) {
 Command add_doctor(CLI::App& program) {
   const auto arguments = std::make_shared<DoctorArguments>();
   CLI::App* app = program.add_subcommand("doctor", "List what is wrong with a domain, and repair it");
-  app->add_option("IN.poly", arguments->input, "The domain: .poly or .node; - is standard input")
+  app->add_option("IN.poly", arguments->input, "The domain: .poly, .node or .geojson; - is standard input")
       ->required()
       ->type_name("");
   CLI::Option* repaired =

@@ -6,34 +6,13 @@
 #include <utility>
 #include <vector>
 
-#include "../core/support/doubled_area.hpp"
 #include "../parallel/mesher.hpp"
 #include "../parallel/validate.hpp"
 #include "centroid.hpp"
+#include "faces.hpp"
 
 namespace pardel::cli {
 namespace {
-
-/// Undirected edges, sorted by ends.
-struct EdgeSet {
-  std::vector<Segment> edges;
-
-  static bool before(const Segment& s, const Segment& t) { return std::minmax(s.a, s.b) < std::minmax(t.a, t.b); }
-  static bool same(const Segment& s, const Segment& t) { return std::minmax(s.a, s.b) == std::minmax(t.a, t.b); }
-  /// Sorts the edges. If several edges have the same ends, only the first one stays.
-  void finish() {
-    std::stable_sort(edges.begin(), edges.end(), before);
-    edges.erase(std::unique(edges.begin(), edges.end(), same), edges.end());
-  }
-  [[nodiscard]] bool contains(Index a, Index b) const {
-    return std::binary_search(edges.begin(), edges.end(), Segment{a, b}, before);
-  }
-};
-
-struct Side {
-  Index from, to;
-};
-Side side(const Triangle& t, int i) { return {t.v[(i + 1) % 3], t.v[(i + 2) % 3]}; }
 
 /// The edges that belong to exactly one triangle. Each is directed so that this triangle lies to its left.
 std::vector<Segment> boundary(const Mesh& mesh) {
@@ -44,45 +23,6 @@ std::vector<Segment> boundary(const Mesh& mesh) {
     }
   }
   return edges;
-}
-
-/// The face of each triangle, as a number. Two triangles are in the same face if a path connects them without crossing
-/// an edge of `walls`.
-std::vector<Index> faces(const Mesh& mesh, const EdgeSet& walls) {
-  std::vector<Index> face(mesh.triangles.size(), no_index);
-  Index count = 0;
-  std::vector<Index> front;
-  for (Index start = 0; start < face.size(); ++start) {
-    if (face[start] != no_index) continue;
-    face[start] = count;
-    front.push_back(start);
-    while (!front.empty()) {
-      const Triangle& t = mesh.triangles[front.back()];
-      front.pop_back();
-      for (int i = 0; i < 3; ++i) {
-        if (t.n[i] == no_index || face[t.n[i]] != no_index || walls.contains(side(t, i).from, side(t, i).to)) continue;
-        face[t.n[i]] = count;
-        front.push_back(t.n[i]);
-      }
-    }
-    ++count;
-  }
-  return face;
-}
-
-/// The largest triangle of every face. Its centroid is inside the face in spite of rounding.
-std::vector<Index> largest(const Mesh& mesh, const std::vector<Index>& face) {
-  const Index count = face.empty() ? 0 : *std::max_element(face.begin(), face.end()) + 1;
-  std::vector<Index> best(count, no_index);
-  const auto area = [&](Index t) {
-    const auto [a, b, c] = mesh.triangles[t].v;
-    return doubled_area(mesh.points[a], mesh.points[b], mesh.points[c]);
-  };
-  for (Index t = 0; t < face.size(); ++t) {
-    Index& b = best[face[t]];
-    if (b == no_index || area(t) > area(b)) b = t;
-  }
-  return best;
 }
 
 /// One region per face whose triangles have an attribute. None at all if the triangles of a face have different

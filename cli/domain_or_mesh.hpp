@@ -8,6 +8,7 @@
 #include "../core/result.hpp"
 #include "exit_code.hpp"
 #include "progress_bar.hpp"
+#include "read_geojson.hpp"
 
 namespace pardel::cli {
 
@@ -16,6 +17,12 @@ template <class Act>
 [[nodiscard]] Result<ExitCode> with_domain_or_mesh(const std::filesystem::path& file, ProgressBar& bar,
                                                    const Act& act) {
   bar.begin("reading " + file.string());
+  if (is_geojson(file)) {
+    const Result<Pslg> drawn = read_geojson(file);
+    if (!drawn) return drawn.error();
+    if (Status done = act(*drawn); !done) return done.error();
+    return ExitCode::done;
+  }
   const Result<std::variant<Pslg, Mesh>> read = read_pslg_or_mesh(file);
   if (!read) return read.error();
   if (Status done = std::visit(act, *read); !done) return done.error();

@@ -14,6 +14,7 @@
 #include "domain_of_mesh.hpp"
 #include "exit_code.hpp"
 #include "problems_text.hpp"
+#include "read_geojson.hpp"
 #include "suffix.hpp"
 
 namespace pardel::cli {
@@ -43,9 +44,15 @@ bool has_own_points(const fs::path& poly) {
 }
 
 Result<Domain> read_domain(const fs::path& file) {
-  if (!is_domain_suffix(file) && !mesh_format(file)) return unknown_format(file, "a domain", ".poly and .node");
+  if (is_geojson(file)) {
+    Result<Pslg> drawn = read_geojson(file);
+    if (!drawn) return drawn.error();
+    return Domain{std::move(*drawn), file.string()};
+  }
+  if (!is_domain_suffix(file) && !mesh_format(file))
+    return unknown_format(file, "a domain", ".poly, .node, .geojson and .json");
   if (!is_domain_suffix(file)) {
-    return Error{ErrorKind::usage, fmt::format("{}: expected a domain, a .poly or .node file; meshes are for "
+    return Error{ErrorKind::usage, fmt::format("{}: expected a domain, a .poly, .node or .geojson file; meshes are for "
                                                "'pardel mesh --refine' and 'pardel check'",
                                                file.string())};
   }

@@ -49,12 +49,14 @@ TEST_F(BadInput, an_unknown_suffix_is_a_usage_error_that_lists_the_known_ones) {
            {"mesh", "model.stl", "-o", "out.vtu"}, {"check", "model.stl", "model.vtu"}, {"doctor", "model.stl"}}) {
     const Ran ran = pardel(arguments);
     EXPECT_EQ(ran.exit_code, 2) << ran;
-    EXPECT_TRUE(
-        holds(ran.err, {"model.stl: '.stl' is not a known format; the formats of a domain are .poly and .node"}));
+    EXPECT_TRUE(holds(
+        ran.err,
+        {"model.stl: '.stl' is not a known format; the formats of a domain are .poly, .node, .geojson and .json"}));
   }
   const Ran mesh = pardel({"draw", "model.stl", "-o", "m.svg"});
   EXPECT_EQ(mesh.exit_code, 2) << mesh;
-  EXPECT_TRUE(holds(mesh.err, {"'.stl' is not a known format", ".node, .ele, .msh, .vtu, .pvtu and .off"}));
+  EXPECT_TRUE(holds(
+      mesh.err, {"'.stl' is not a known format", ".node, .ele, .msh, .vtu, .pvtu, .off, .vtk, .2dm, .gr3 and .14"}));
 }
 
 TEST_F(BadInput, the_message_names_the_command_or_the_option_that_helps) {
