@@ -39,8 +39,8 @@ class Walk {
     friend auto operator<=>(const Incidence&, const Incidence&) = default;
   };
   [[nodiscard]] std::span<const Incidence> edges_at(Index vertex) const {
-    const auto range = std::ranges::equal_range(at_vertex_, vertex, {}, &Incidence::vertex);
-    return {range.begin(), range.end()};
+    const auto first = std::lower_bound(at_vertex_.begin(), at_vertex_.end(), Incidence{vertex, 0});
+    return {first, std::upper_bound(first, at_vertex_.end(), Incidence{vertex, no_index})};
   }
 
   std::span<const EdgeEnds> edges_;

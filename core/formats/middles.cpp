@@ -38,10 +38,11 @@ Middles middles_of(const Mesh& mesh) {
   std::iota(sorted.begin(), sorted.end(), Index{0});
   const auto ends = [&](Index line) { return std::pair(std::minmax(lines[line].a, lines[line].b)); };
   std::ranges::sort(sorted, {}, ends);
-  for (Index e = 0; e < middles.edges.size(); ++e)
-    for (const Index line :
-         std::ranges::equal_range(sorted, std::pair(std::minmax(middles.edges[e].a, middles.edges[e].b)), {}, ends))
-      middles.of_line[line] = e;
+  for (Index e = 0; e < middles.edges.size(); ++e) {
+    const auto key = std::pair(std::minmax(middles.edges[e].a, middles.edges[e].b));
+    auto line = std::ranges::lower_bound(sorted, key, {}, ends);
+    for (; line != sorted.end() && ends(*line) == key; ++line) middles.of_line[*line] = e;
+  }
   for (Index line = 0; line < lines.size(); ++line) {  // constrained edges that are no edges of triangles
     if (middles.of_line[line] != no_index) continue;
     middles.of_line[line] = static_cast<Index>(middles.edges.size());
