@@ -12,7 +12,6 @@ namespace pardel::files {
 namespace {
 
 constexpr std::int64_t vtk_vertex = 1, vtk_line = 3, vtk_triangle = 5;
-constexpr std::int64_t any_size = std::numeric_limits<std::int64_t>::max();
 
 class VtkReader {
  public:
