@@ -47,9 +47,10 @@ TEST_F(StandardStreams, a_mesh_in_two_files_cannot_come_from_standard_input) {
   for (const std::string file : {"m.node", "m.ele", "square.poly"}) {
     const Ran ran = with_input(file, {"check", "square.poly", "-"});
     EXPECT_EQ(ran.exit_code, 3) << ran;
-    EXPECT_TRUE(holds(ran.err, {"pardel: -: ", ".msh, .vtu or .off", ".node and .ele consists of two files"}));
+    EXPECT_TRUE(
+        holds(ran.err, {"pardel: -: ", ".msh, .vtu, .off, .vtk or .2dm", ".node and .ele consists of two files"}));
   }
-  EXPECT_TRUE(holds(with_input("/dev/null", {"check", "square.poly", "-"}).err, {".msh, .vtu or .off"}));
+  EXPECT_TRUE(holds(with_input("/dev/null", {"check", "square.poly", "-"}).err, {".msh, .vtu, .off, .vtk or .2dm"}));
 }
 
 TEST_F(StandardStreams, a_domain_or_a_mesh_is_drawn_from_standard_input) {
