@@ -66,7 +66,7 @@ class PieceMaker {
     for (const Exemption& e : exempt)
       if (is_unknown(e)) asked.push_back(t_.points[e.apex]);
     std::ranges::sort(asked, lexicographically_less);
-    asked.erase(std::ranges::unique(asked).begin(), asked.end());
+    asked.erase(std::unique(asked.begin(), asked.end()), asked.end());
     const std::vector<std::uint64_t> numbers = numbers_of(asked);
     for (Exemption& e : exempt) {
       if (is_unknown(e))

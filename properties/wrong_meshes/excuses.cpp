@@ -33,7 +33,7 @@ std::optional<WrongMesh> draw_wedge(const Wedge& wedge, double first, double sec
   drawing.of.goal.min_angle_deg = wedge.min_angle;
   // An end is one only if the leg turns there. Two collinear segments count as one.
   const double turn = ends == Ends::none ? 0 : wedge.radius / 256;
-  const Index far_p = drawing.point(first * wedge.radius, -turn),
+  const Index far_p = drawing.point(first * wedge.radius, turn),
               far_q = drawing.point(second * wedge.x, second * wedge.y);
   Index start_p = no_index, start_q = no_index, of_p = no_index, of_q = no_index;
   if (truncated) {
