@@ -106,7 +106,7 @@ PARDEL_PROPERTY(Sources, at_the_borders_of_regions_let_lengths_grow_outside,
   RC_PRE(!problem.pslg.regions.empty());
   const double growth = 0.25;
   problem.goal = {.min_angle_deg = 20, .grading = growth, .convex_hull = problem.goal.convex_hull};
-  const double length = some_length(extent_of(problem.pslg));
+  const double length = extent_of(problem.pslg) * std::ldexp(1.0, -*rc::gen::inRange(2, 5));
   std::vector<double> lengths(problem.pslg.regions.size(), infinity);
   lengths[*rc::gen::inRange<std::size_t>(0, lengths.size())] = length;
   const auto domain = validate(problem.pslg, {.convex_hull = problem.goal.convex_hull});
