@@ -7,7 +7,7 @@
 
 namespace pardel::mpi {
 
-inline constexpr std::array<cli::AbsentOption, 6> absent_options = {{
+inline constexpr std::array<cli::AbsentOption, 8> absent_options = {{
     {"mesh", "--refine", "ranks begin with a domain, not with a mesh; use 'pardel mesh --refine'"},
     {"mesh", "--max-vertices",
      "ranks insert vertices at the same time, so the mesh at a limit would depend on their number; limit the memory of "
@@ -16,6 +16,10 @@ inline constexpr std::array<cli::AbsentOption, 6> absent_options = {{
      "no rank has the whole mesh that is checked after a sweep; use --check, or 'pardel mesh --paranoid'"},
     {"mesh", "--format",
      "the pieces of a mesh do not fit into standard output; write OUT.pvtu, and then use 'pardel convert'"},
+    {"mesh", "--order",
+     "ranks write the corners of triangles only; write OUT.pvtu, and then use 'pardel convert --order 2'"},
+    {"mesh", "--open-boundary",
+     "ranks do not write the formats that have open boundaries; write OUT.pvtu, and then use 'pardel convert'"},
     {"mesh", "--progress", "mpirun passes on the lines of all ranks, and a bar is not a line; there is no substitute"},
     {"check", "--progress", "mpirun passes on the lines of all ranks, and a bar is not a line; there is no substitute"},
 }};
