@@ -67,7 +67,8 @@ class PieceMaker {
       if (is_unknown(e)) asked.push_back(t_.points[e.apex]);
     std::ranges::sort(asked, lexicographically_less);
     asked.erase(std::unique(asked.begin(), asked.end()), asked.end());
-    const std::vector<std::uint64_t> numbers = numbers_of(asked);
+    std::vector<std::uint64_t> numbers;  // ranks that begin with the whole input know all its points
+    if (distribution_.begins_in_parts()) numbers = numbers_of(asked);
     for (Exemption& e : exempt) {
       if (is_unknown(e))
         e.apex = static_cast<Index>(
