@@ -95,7 +95,8 @@ Result<std::vector<Point>> hole_seeds(const Mesh& mesh) {
   const std::vector<Index> face = faces(around, walls);
   const std::vector<Index> best = largest(around, face);
 
-  std::vector<char> uncovered(best.size(), 0), open(best.size(), 0);
+  const std::vector<char> is_open = open_faces(around, walls, face, best.size());
+  std::vector<char> uncovered(best.size(), 0);
   const auto directed = [](const Segment& s, const Segment& t) { return std::pair(s.a, s.b) < std::pair(t.a, t.b); };
   std::vector<Segment> forwards = outline.segments;
   std::sort(forwards.begin(), forwards.end(), directed);
@@ -103,12 +104,11 @@ Result<std::vector<Point>> hole_seeds(const Mesh& mesh) {
     for (int i = 0; i < 3; ++i) {
       const auto [from, to] = side(around.triangles[t], i);
       if (std::binary_search(forwards.begin(), forwards.end(), Segment{to, from}, directed)) uncovered[face[t]] = 1;
-      if (around.triangles[t].n[i] == no_index && !walls.contains(from, to)) open[face[t]] = 1;
     }
   }
   std::vector<Point> seeds;
   for (std::size_t f = 0; f < best.size(); ++f) {
-    if (uncovered[f] != 0 && open[f] == 0) seeds.push_back(centroid(around, around.triangles[best[f]]));
+    if (uncovered[f] != 0 && is_open[f] == 0) seeds.push_back(centroid(around, around.triangles[best[f]]));
   }
   return seeds;
 }

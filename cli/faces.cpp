@@ -44,6 +44,17 @@ std::vector<Index> faces(const Mesh& mesh, const EdgeSet& walls) {
   return face;
 }
 
+std::vector<char> open_faces(const Mesh& mesh, const EdgeSet& walls, const std::vector<Index>& face,
+                             std::size_t count) {
+  std::vector<char> is_open(count, 0);
+  for (Index t = 0; t < face.size(); ++t)
+    for (int i = 0; i < 3; ++i) {
+      const auto [from, to] = side(mesh.triangles[t], i);
+      if (mesh.triangles[t].n[i] == no_index && !walls.contains(from, to)) is_open[face[t]] = 1;
+    }
+  return is_open;
+}
+
 std::vector<Index> largest(const Mesh& mesh, const std::vector<Index>& face) {
   const Index count = face.empty() ? 0 : *std::max_element(face.begin(), face.end()) + 1;
   std::vector<Index> best(count, no_index);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 #include "../core/mesh.hpp"
@@ -28,6 +29,10 @@ struct EndsOfSide {
 /// The face of each triangle, as a number from 0 on. Two triangles are in the same face if a path connects them without
 /// crossing an edge of `walls`.
 [[nodiscard]] std::vector<Index> faces(const Mesh& mesh, const EdgeSet& walls);
+
+/// True for each of `count` faces that reaches the boundary of the mesh where there is no wall.
+[[nodiscard]] std::vector<char> open_faces(const Mesh& mesh, const EdgeSet& walls, const std::vector<Index>& face,
+                                           std::size_t count);
 
 /// The largest triangle of every face. Its centroid is inside the face in spite of rounding.
 [[nodiscard]] std::vector<Index> largest(const Mesh& mesh, const std::vector<Index>& face);

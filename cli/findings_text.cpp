@@ -137,4 +137,10 @@ std::string findings_text(const Certificate& certificate, std::string_view all_i
   return text;
 }
 
+std::string check_message(const Certificate& certificate, bool goal_met) {
+  const bool expected = !goal_met && only_bounds_missed(certificate);
+  return (expected ? ": the check found missed bounds only\n" : ": the check found violations\n") +
+         findings_text(certificate, "the report of --json");
+}
+
 }  // namespace pardel::cli

@@ -17,4 +17,8 @@ namespace pardel::cli {
 [[nodiscard]] std::string findings_text(const Certificate& certificate, std::string_view all_in,
                                         double max_circumradius = 0);
 
+/// What follows the name of the input after the check of a mesh that `pardel mesh` has made: that the violations are
+/// missed bounds only, if the mesher knows that it has missed some, and the findings. Precondition: it is not valid.
+[[nodiscard]] std::string check_message(const Certificate& certificate, bool goal_met);
+
 }  // namespace pardel::cli

@@ -136,6 +136,14 @@ const Pslg& pslg_of(const Source& source) {
   return domain != nullptr ? domain->pslg() : std::get<CoarseMesh>(source).domain.pslg;
 }
 
+Result<MaybeRepaired, Refusal> valid_domain(Domain domain, bool repair, const RepairOptions& options, int threads) {
+  if (repair) return validated_or_repaired(std::move(domain), options, threads);
+  Result<ValidPslg, Refusal> valid =
+      validated(std::move(domain), {.convex_hull = options.convex_hull, .threads = threads});
+  if (!valid) return valid.error();
+  return MaybeRepaired{std::move(*valid), std::nullopt, {}, {}};
+}
+
 Status check_sizes_of(const MaybeRepaired& repaired, const SizeField& sizes) {
   if (repaired.original && std::holds_alternative<PointSizes>(sizes))
     return Error{ErrorKind::usage,

@@ -72,6 +72,10 @@ struct MaybeRepaired {
 [[nodiscard]] Result<MaybeRepaired, Refusal> validated_or_repaired(Domain domain, const RepairOptions& options,
                                                                    int threads = 1);
 
+/// Validates the domain, or repairs it if `repair` is true.
+[[nodiscard]] Result<MaybeRepaired, Refusal> valid_domain(Domain domain, bool repair, const RepairOptions& options,
+                                                          int threads);
+
 /// Error: `usage` if the sizes are those of points, and a repair has changed the points.
 [[nodiscard]] Status check_sizes_of(const MaybeRepaired& repaired, const SizeField& sizes);
 

@@ -160,9 +160,14 @@ class Shapes {
     domain_.pslg.has_segment_markers = domain_.pslg.has_segment_markers || properties.has_marker;
   }
 
+  static std::vector<Point> points(const json& positions, const Place& place) {
+    std::vector<Point> all;
+    each(positions, place, "positions", [&](const json& one, const Place& p) { all.push_back(position(one, p)); });
+    return all;
+  }
+
   void read_line(const json& positions, const Place& place, const Properties& properties) {
-    std::vector<Point> line;
-    each(positions, place, "positions", [&](const json& one, const Place& p) { line.push_back(position(one, p)); });
+    const std::vector<Point> line = points(positions, place);
     if (line.size() < 2) fail(place, "at least two positions of a line", positions);
     for (std::size_t i = 0; i + 1 < line.size(); ++i) segment(line[i], line[i + 1], properties);
   }
@@ -170,9 +175,7 @@ class Shapes {
   void read_polygon(const json& rings, const Place& place, const Properties& properties) {
     DrawnPolygon polygon{{}, properties.is_hole, properties.attribute, properties.max_area};
     each(rings, place, "rings", [&](const json& positions, const Place& ring_place) {
-      std::vector<Point> ring;
-      each(positions, ring_place, "positions",
-           [&](const json& one, const Place& p) { ring.push_back(position(one, p)); });
+      std::vector<Point> ring = points(positions, ring_place);
       if (ring.size() < 4) fail(ring_place, "at least four positions of a ring", positions);
       if (!(ring.front() == ring.back()))
         fail(ring_place[ring.size() - 1], "the first position of the ring, which closes it", positions.back());

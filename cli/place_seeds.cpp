@@ -79,18 +79,6 @@ Mesh divided_hull(const Pslg& pslg) {
   return hull ? std::move(hull->mesh) : Mesh{};
 }
 
-/// True for faces that reach beyond the hull: these are outside of the domain without a seed.
-std::vector<char> open_faces(const Mesh& mesh, const EdgeSet& walls, const std::vector<Index>& face,
-                             std::size_t count) {
-  std::vector<char> is_open(count, 0);
-  for (Index t = 0; t < face.size(); ++t)
-    for (int i = 0; i < 3; ++i) {
-      const auto [from, to] = side(mesh.triangles[t], i);
-      if (mesh.triangles[t].n[i] == no_index && !walls.contains(from, to)) is_open[face[t]] = 1;
-    }
-  return is_open;
-}
-
 }  // namespace
 
 Pslg place_seeds(DrawnDomain domain) {

@@ -181,6 +181,13 @@ nlohmann::ordered_json names_json(const std::vector<GroupName>& names) {
 
 }  // namespace
 
+void count_input(const Pslg& input, MeshRun& run) {
+  run.points = input.points.size();
+  run.segments = input.segments.size();
+  run.holes = input.holes.size();
+  run.regions = input.regions.size();
+}
+
 std::string to_json(const MeshRun& run) {
   const MeshStatistics& mesh = run.statistics;
   const Seconds& s = run.seconds;

@@ -56,6 +56,9 @@ struct MeshRun {
   std::optional<RanksOfRun> ranks;  ///< only of pardel-mpi
 };
 
+/// Fills in the numbers of points, segments, holes and regions.
+void count_input(const Pslg& input, MeshRun& run);
+
 [[nodiscard]] std::string to_json(const MeshRun& run);
 /// A summary of a few lines.
 [[nodiscard]] std::string to_text(const MeshRun& run);

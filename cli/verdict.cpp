@@ -29,6 +29,13 @@ bool only_bounds_missed(const Certificate& certificate) {
   return true;
 }
 
+ExitCode code_of(const std::optional<Certificate>& certificate, bool goal_met) {
+  const bool is_wrong = certificate && !certificate->valid;
+  if (is_wrong && !only_bounds_missed(*certificate)) return ExitCode::violations;
+  if (!goal_met) return ExitCode::goal_missed;
+  return is_wrong ? ExitCode::violations : ExitCode::done;
+}
+
 std::size_t most_kept(const std::filesystem::path& json) {
   return json.empty() ? most_listed : std::numeric_limits<std::size_t>::max();
 }

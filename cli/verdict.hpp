@@ -3,9 +3,11 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "../properties/checker/check.hpp"
+#include "exit_code.hpp"
 
 namespace pardel::cli {
 
@@ -20,6 +22,9 @@ inline constexpr std::size_t most_listed = 10;
 
 /// True if is_missed_bound() holds for every violation.
 [[nodiscard]] bool only_bounds_missed(const Certificate& certificate);
+
+/// The exit code of a command that has made a mesh and perhaps checked it.
+[[nodiscard]] ExitCode code_of(const std::optional<Certificate>& certificate, bool goal_met);
 
 /// The number of violations by kind, then the first `most` of them, one per line.
 [[nodiscard]] std::string violations_text(const Certificate& certificate, std::size_t most);

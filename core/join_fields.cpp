@@ -42,8 +42,8 @@ std::vector<Field> join_fields(std::span<const NumberedMesh* const> pieces, std:
       auto place = std::ranges::find_if(joined, [&](const Field& other) { return is_same_field(other, field); });
       if (place == joined.end()) {
         const std::size_t places = field.place == Field::Place::points ? points : triangles;
-        joined.push_back(
-            {field.name, field.place, field.components, Array<double>(places * field.components, no_value), field.time});
+        joined.push_back({field.name, field.place, field.components, Array<double>(places * field.components, no_value),
+                          field.time});
         place = joined.end() - 1;
       }
       copy_values(field, *piece, first_triangle, *place);

@@ -10,6 +10,7 @@
 #include "../cli/centroid.hpp"
 #include "../cli/domain_of_mesh.hpp"
 #include "../properties/checker/check.hpp"
+#include "../properties/checker/violating_triangles.hpp"
 #include "distances.hpp"
 
 namespace pardel::fuzz {
@@ -61,7 +62,7 @@ class Judgement {
     const bool may_miss = expected_.may_miss || report_.count(ExemptReason::budget) > 0;
     for (const Violation& violation : certificate_.violations) {
       if (!may_miss || !is_bound(violation.kind)) return violation.message();
-      for (const Index t : triangles_of(violation)) {
+      for (const Index t : violating_triangles(violation, mesh_)) {
         if (reason_of_[t] == not_listed) return "not in the report: " + violation.message();
         if (justified(static_cast<ExemptReason>(reason_of_[t])) && violation.kind == ViolationKind::small_angle)
           return "the report justifies it: " + violation.message();
@@ -149,19 +150,6 @@ class Judgement {
     return kind == ViolationKind::small_angle || kind == ViolationKind::large_area ||
            kind == ViolationKind::region_area || kind == ViolationKind::long_edge ||
            kind == ViolationKind::size_exceeded || kind == ViolationKind::not_conforming;
-  }
-
-  /// The triangles that miss a bound: all triangles at an edge, if the bound is about an edge.
-  [[nodiscard]] std::vector<Index> triangles_of(const Violation& violation) const {
-    if (violation.kind != ViolationKind::long_edge && violation.kind != ViolationKind::not_conforming)
-      return {violation.ids.front()};
-    const Index from = violation.ids[0], to = violation.ids[1], t = violation.ids[2];
-    for (int k = 0; k < 3; ++k) {
-      const Triangle& triangle = mesh_.triangles[t];
-      if (triangle.v[k] != from && triangle.v[k] != to)
-        return triangle.n[k] == no_index ? std::vector{t} : std::vector{t, triangle.n[k]};
-    }
-    return {t};
   }
 
   /// The lengths of the sides, ascending.

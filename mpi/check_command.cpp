@@ -48,7 +48,7 @@ struct CheckArguments {
 };
 
 void add_check_options(CLI::App& app, CheckArguments& arguments) {
-  app.add_option("IN.poly", arguments.domain, "The domain: .poly or .node")->required()->type_name("");
+  app.add_option("IN.poly", arguments.domain, "The domain: .poly, .node or .geojson")->required()->type_name("");
   app.add_option("MESH.pvtu", arguments.mesh, "The mesh: a .pvtu with its pieces")->required()->type_name("");
   add_goal_options(app, arguments.goal, largest_angle_to_check);
   app.add_option("--max-circumradius", arguments.max_circumradius, "No circumradius above this, compared exactly")

@@ -103,7 +103,7 @@ struct Run {
 };
 
 void add_options(CLI::App& app, Arguments& arguments) {
-  app.add_option("IN", arguments.input, "The domain: .poly or .node")->required()->type_name("");
+  app.add_option("IN", arguments.input, "The domain: .poly, .node or .geojson")->required()->type_name("");
   app.add_option("-o,--output", arguments.outputs,
                  "The mesh to write (required); the suffix sets the format: .pvtu, .msh, .node;\n"
                  "may be repeated")
@@ -240,13 +240,6 @@ void count_input(const PartOfPslg& input, Run& run) {
   run.report.regions = input.rest.regions.size();
 }
 
-void count_input(const Pslg& input, MeshRun& report) {
-  report.points = input.points.size();
-  report.segments = input.segments.size();
-  report.holes = input.holes.size();
-  report.regions = input.regions.size();
-}
-
 /// One piece per rank, of a domain of which each rank has a part.
 Result<Made, Refusal> make_of_parts(PartOfPslg&& input, Run& run) {
   const Arguments& arguments = run.arguments;
@@ -370,7 +363,7 @@ Status write_report(const Made& made, const Stopwatch& joining, Run& run) {
   report.sources = run.arguments.goal.sources;
   report.options = run.arguments.options;
   report.outputs = run.arguments.outputs;
-  run.parts.join(made.divided, report, run.job.ranks());
+  run.parts.join(made, report, run.job.ranks());
   const double validate = report.seconds.validate;  // 0 for an input in parts
   report.seconds = {.read = made.seconds.read - validate,
                     .validate = validate,
@@ -388,22 +381,16 @@ Status write_report(const Made& made, const Stopwatch& joining, Run& run) {
 ExitCode verdict(const Made& made, const Run& run) {
   const std::string name = run.arguments.input.string();
   const auto& certificate = run.report.certificate;
-  const bool is_wrong = certificate && !certificate->valid, is_broken = is_wrong && !only_bounds_missed(*certificate);
-  if (is_wrong && run.job.is_first()) {
-    const bool expected = !is_broken && made.missed > 0;
-    warn(name + (expected ? ": the check found missed bounds only\n" : ": the check found violations\n") +
-             findings_text(*certificate, "the report of --json"),
-         program);
-  }
-  if (made.missed > 0 && run.job.is_first()) {
+  const bool goal_met = made.missed == 0;
+  if (certificate && !certificate->valid && run.job.is_first())
+    warn(name + check_message(*certificate, goal_met), program);
+  if (!goal_met && run.job.is_first()) {
     const bool has_pieces = run.arguments.outputs.front().extension() == ".pvtu";
     warn(fmt::format("{}: {} triangles miss a bound because of a limit or of rounding; '{} check' lists them", name,
                      made.missed, has_pieces ? program : "pardel"),
          program);
   }
-  if (is_broken) return ExitCode::violations;
-  if (made.missed > 0) return ExitCode::goal_missed;
-  return is_wrong ? ExitCode::violations : ExitCode::done;
+  return code_of(certificate, goal_met);
 }
 
 Result<ExitCode> run_mesh(Arguments& arguments, Job& job) {

@@ -45,9 +45,7 @@ std::vector<T> largest_of_all(const std::vector<T>& list, Ranks& ranks) {
 
 void PartsOfReport::add(const MeshPiece& piece) {
   ++pieces_;
-  vertices_ = piece.points;
   statistics_ = together(statistics_, statistics(piece.mesh));
-  digest_ = digest_ + digest(piece.mesh);
   std::vector<Exemption> exempt = std::exchange(report_.exempt, {});
   for (Exemption exemption : piece.report.exempt) {
     const std::uint64_t number = piece.first_triangle + exemption.triangle;
@@ -69,7 +67,7 @@ void PartsOfReport::join_tiling(Ranks& ranks) {
     tiling.sweeps[i].largest_task = static_cast<decltype(Sweep::largest_task)>(tasks[i]);
 }
 
-void PartsOfReport::join(bool divided, cli::MeshRun& run, Ranks& ranks) {
+void PartsOfReport::join(const Made& made, cli::MeshRun& run, Ranks& ranks) {
   join_tiling(ranks);
   report_.exempt = all_on_first(std::move(report_.exempt), ranks);
   std::ranges::sort(report_.exempt, {}, &Exemption::triangle);
@@ -77,12 +75,12 @@ void PartsOfReport::join(bool divided, cli::MeshRun& run, Ranks& ranks) {
   run.ranks = cli::RanksOfRun{.triangles = all_on_first(std::vector{statistics_.triangles}, ranks),
                               .peak_memory = all_on_first(std::vector{cli::peak_memory()}, ranks),
                               .pieces = sum_of(pieces_, ranks),
-                              .divided = divided};
+                              .divided = made.divided};
   for (const MeshStatistics& of_rank : concatenated(lists_of_all(std::vector{std::exchange(statistics_, {})}, ranks)))
     statistics_ = together(statistics_, of_rank);
   run.statistics = statistics_;
-  run.statistics.vertices = vertices_;
-  run.digest = sum_of(digest_, ranks);
+  run.statistics.vertices = made.points;
+  run.digest = sum_of(made.digest, ranks);
 }
 
 }  // namespace pardel::mpi

@@ -6,24 +6,23 @@
 #include "../cli/report.hpp"
 #include "../core/ranks.hpp"
 #include "../parallel/distributed.hpp"
+#include "made.hpp"
 
 namespace pardel::mpi {
 
-/// What a rank contributes: the statistics, the digest and the exemptions of its pieces.
+/// What a rank contributes: the statistics and the exemptions of its pieces. The rest is in Made.
 class PartsOfReport {
  public:
   void add(const MeshPiece& piece);
 
   /// Collective. Fills in what belongs to the mesh, on the first rank: statistics, digest, report and ranks.
   /// Exemption::triangle becomes the number of the triangle in the joined mesh; no_index if it does not fit an Index.
-  void join(bool divided, cli::MeshRun& run, Ranks& ranks);
+  void join(const Made& made, cli::MeshRun& run, Ranks& ranks);
 
  private:
   void join_tiling(Ranks& ranks);
 
   MeshStatistics statistics_;
-  std::uint64_t vertices_ = 0;  ///< of the whole mesh
-  Digest digest_;
   Report report_;
   std::uint64_t pieces_ = 0;
 };

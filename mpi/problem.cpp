@@ -18,26 +18,6 @@ Status check_inputs(std::span<const std::filesystem::path> inputs, const Ranks& 
   return Done{};
 }
 
-namespace {
-
-/// Validates the domain, or repairs it.
-Result<MaybeRepaired, Refusal> valid_domain(Domain domain, const GoalOptions& options, const SizeField& sizes,
-                                            const HowToRead& how) {
-  if (!how.repair) {
-    Result<ValidPslg, Refusal> valid =
-        validated(std::move(domain), {.convex_hull = options.convex_hull, .threads = how.threads});
-    if (!valid) return valid.error();
-    return MaybeRepaired{std::move(*valid), std::nullopt, {}, {}};
-  }
-  Result<MaybeRepaired, Refusal> repaired =
-      validated_or_repaired(std::move(domain), {.snap = how.snap, .convex_hull = options.convex_hull}, how.threads);
-  if (!repaired) return repaired;
-  if (Status fits = check_sizes_of(*repaired, sizes); !fits) return Refusal(fits.error());
-  return repaired;
-}
-
-}  // namespace
-
 Result<Problem, Refusal> read_problem(const std::filesystem::path& file, const GoalOptions& options,
                                       const HowToRead& how) {
   Result<Domain> domain = read_domain(file);
@@ -45,12 +25,13 @@ Result<Problem, Refusal> read_problem(const std::filesystem::path& file, const G
   const Result<GivenSizes> sizes = read_given_sizes(options);
   if (!sizes) return Refusal(sizes.error());
   const Stopwatch watch;
-  Result<MaybeRepaired, Refusal> valid = valid_domain(std::move(*domain), options, sizes->field, how);
+  Result<MaybeRepaired, Refusal> valid =
+      valid_domain(std::move(*domain), how.repair, {.snap = how.snap, .convex_hull = options.convex_hull}, how.threads);
   if (!valid) return valid.error();
+  if (Status fits = check_sizes_of(*valid, sizes->field); !fits) return Refusal(fits.error());
   const double validate_seconds = watch.seconds();
   Result<Goal> goal = make_goal(options, *sizes, valid->domain);
   if (!goal) return Refusal(goal.error());
-  goal->convex_hull = goal->convex_hull && valid->domain.convex_hull();  // a repair may draw the hull as an outline
   return Problem{std::move(valid->domain), std::move(*goal), std::move(valid->log), validate_seconds};
 }
 

@@ -62,9 +62,9 @@ inline constexpr double largest_min_angle_deg = 33;
 /// Refines an existing mesh, as Triangle's switch -r does. The vertices stay. The constrained edges stay constraints;
 /// the boundary edges are constraints, too. The mesh is first made constrained Delaunay by flips. A triangle keeps the
 /// region of the face in which it lies. If triangles of the same face have different regions, a triangle of the result
-/// has the region of the triangle of `coarse` that contains its centroid. If all triangles meet the goal, or miss it only
-/// because of small angles between the segments, nothing changes. Its segments are what constrained edges form that
-/// continue each other on a straight line, whatever `coarse` says about their origin.
+/// has the region of the triangle of `coarse` that contains its centroid. If all triangles meet the goal, or miss it
+/// only because of small angles between the segments, nothing changes. Its segments are what constrained edges form
+/// that continue each other on a straight line, whatever `coarse` says about their origin.
 ///
 /// max_areas: empty, or one area cap > 0 per triangle of `coarse`. It applies to the area that this triangle covers.
 ///

@@ -4,6 +4,7 @@
 
 #include "../formats.hpp"
 #include "../support/mesh_edges.hpp"
+#include "../support/without_repetitions.hpp"
 #include "msh_model.hpp"
 #include "records.hpp"
 
@@ -34,8 +35,7 @@ void write_node_set(OutputFile& out, const Mesh& mesh, const MshGroup& group, st
   constexpr std::size_t per_line = 16;
   std::vector<Index> nodes;
   for (const Index i : lines) nodes.insert(nodes.end(), {mesh.constrained_edges[i].a, mesh.constrained_edges[i].b});
-  std::ranges::sort(nodes);
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  sort_without_repetitions(nodes);
   write_set(out, "*NSET, NSET=", "MARKER_", group);
   write_records(out, nodes.size(), [&](Bytes& to, std::size_t i) {
     to << std::uint64_t{nodes[i]} + 1 << ((i + 1) % per_line == 0 || i + 1 == nodes.size() ? "\n" : ", ");

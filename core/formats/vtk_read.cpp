@@ -1,6 +1,7 @@
 // Reads legacy files of VTK as text ("Simple legacy formats" of The VTK User's Guide): an unstructured grid of
 // triangles, lines and vertices. CELLS are lists of points, each after its length, or, since version 5.1, OFFSETS and
-// CONNECTIVITY. Of the arrays those of write_vtk() are read, and `size` as in a .vtu, as SCALARS or as part of a FIELD.
+// CONNECTIVITY. Of the arrays those of write_vtk() are read, and `size` where there is no `attributes`, as SCALARS or
+// as part of a FIELD.
 #include <optional>
 
 #include "../formats.hpp"

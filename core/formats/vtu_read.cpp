@@ -257,18 +257,18 @@ class VtuMesh {
     const std::size_t components = places == 0 ? std::min(array.components, usual) : read->size() / places;
     if (components == 0) return;
     Field field{name, place, components, std::move(*read)};
-    if (!of_points) field.values = of_triangles(field.values, components);
+    if (!of_points) keep_triangles(field.values, components);
     if (!is_quality(field)) mesh_.fields.push_back(std::move(field));
   }
 
-  Array<double> of_triangles(const Array<double>& by_cell, std::size_t components) {
-    Array<double> values(mesh_.triangles.size() * components);
-    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
-      std::copy_n(by_cell.begin() + cell_of(t) * components, components, values.begin() + t * components);
+  /// Of the values of cells, leaves those of triangles. No triangle comes after its cell, so they move forwards.
+  void keep_triangles(Array<double>& values, std::size_t components) {
     for (const std::size_t line : cell_of_line_)
       for (std::size_t k = 0; k < components; ++k)
-        if (!std::isnan(by_cell[line * components + k])) mesh_.left_out.add("values in cells that are not triangles");
-    return values;
+        if (!std::isnan(values[line * components + k])) mesh_.left_out.add("values in cells that are not triangles");
+    for (std::size_t t = leading_triangles_; t < mesh_.triangles.size(); ++t)
+      for (std::size_t k = 0; k < components; ++k) values[t * components + k] = values[cell_of(t) * components + k];
+    values.resize(mesh_.triangles.size() * components);
   }
 
   /// The array that write_vtu() computes. The first triangles decide.
@@ -344,6 +344,15 @@ void number_through(std::vector<NumberedMesh>& pieces) {
   }
 }
 
+Result<NumberedMesh> read_piece(const VtuFile& file, std::size_t piece) {
+  VtuMesh reader(file, piece);
+  Result<Mesh> mesh = reader.read();
+  if (!mesh) return mesh.error();
+  Result<Array<std::uint64_t>> numbers = reader.numbers();
+  if (!numbers) return numbers.error();
+  return NumberedMesh{std::move(*mesh), std::move(*numbers)};
+}
+
 }  // namespace
 
 Result<Mesh> parse_vtu(std::string_view text, const std::string& name) {
@@ -352,12 +361,9 @@ Result<Mesh> parse_vtu(std::string_view text, const std::string& name) {
   if (file->pieces().size() == 1) return VtuMesh(*file, 0).read();
   std::vector<NumberedMesh> pieces;
   for (std::size_t piece = 0; piece < file->pieces().size(); ++piece) {
-    VtuMesh reader(*file, piece);
-    Result<Mesh> mesh = reader.read();
-    if (!mesh) return mesh.error();
-    Result<Array<std::uint64_t>> numbers = reader.numbers();
-    if (!numbers) return numbers.error();
-    pieces.push_back({std::move(*mesh), std::move(*numbers)});
+    Result<NumberedMesh> read = read_piece(*file, piece);
+    if (!read) return read.error();
+    pieces.push_back(std::move(*read));
   }
   number_through(pieces);
   return join_read_pieces(std::move(pieces), name);
@@ -374,14 +380,10 @@ Result<NumberedMesh> read_vtu_piece(const std::filesystem::path& file) {
   if (!parsed) return parsed.error();
   if (const std::size_t n = parsed->pieces().size(); n != 1)
     return parsed->error_at(0, "expected one <Piece>, as a file of a .pvtu has, found " + std::to_string(n));
-  files::VtuMesh reader(*parsed, 0);
-  Result<Mesh> mesh = reader.read();
-  if (!mesh) return mesh.error();
-  Result<Array<std::uint64_t>> numbers = reader.numbers();
-  if (!numbers) return numbers.error();
-  if (numbers->size() != mesh->points.size())
+  Result<NumberedMesh> piece = files::read_piece(*parsed, 0);
+  if (piece && piece->number.size() != piece->mesh.points.size())
     return parsed->error_at(0, std::string("expected a point array ") + vtu_vertex_numbers + ", as a piece has");
-  return NumberedMesh{std::move(*mesh), std::move(*numbers)};
+  return piece;
 }
 
 }  // namespace pardel

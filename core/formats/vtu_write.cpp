@@ -2,11 +2,9 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
 #include <deque>
 #include <functional>
 #include <memory>
-#include <numbers>
 #include <optional>
 #include <span>
 

@@ -1,4 +1,4 @@
-// Values at a point of a segment, between those at its ends.
+// Points of a segment, and values there, between those at its ends.
 #pragma once
 
 #include <cmath>
@@ -10,6 +10,9 @@
 #include "distance.hpp"
 
 namespace pardel::engine {
+
+/// The middle of a segment, rounded. The same for both directions.
+[[nodiscard]] inline Point middle_of(Point a, Point b) { return {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)}; }
 
 /// An end of a segment, with its values.
 struct SegmentEnd {

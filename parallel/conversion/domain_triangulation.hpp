@@ -29,10 +29,6 @@ struct DomainTriangulation {
     return subsegments.empty() ? input_segment[segment]
                                : subsegments[segments.pieces().at(triangulation.points, segment, p).number].segment;
   }
-  /// The marker there.
-  [[nodiscard]] int marker_at(Index segment, Point p) const {
-    return segments.marker_at(triangulation.points, segment, p);
-  }
 };
 
 /// Triangulates the domain of a Pslg. The domain is the convex hull of the points if `convex_hull` is true or there are

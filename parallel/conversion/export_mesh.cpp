@@ -155,10 +155,9 @@ std::optional<ConstrainedEdge> constrained_edge(const DomainTriangulation& domai
   const VertexId a = slot.from(side), b = slot.to(side);
   const Index segment = domain.segments.segment_of(domain.triangulation, a, b);
   if (segment == no_index) return std::nullopt;
-  const Point p = domain.triangulation.points[a], q = domain.triangulation.points[b];
-  const Point middle{0.5 * (p.x + q.x), 0.5 * (p.y + q.y)};
-  int marker = domain.marker_at(segment, middle);
-  if (marker == 0 && slot.n[side].none()) marker = 1;
+  const Array<Point>& points = domain.triangulation.points;
+  const Point middle = middle_of(points[a], points[b]);
+  const int marker = domain.segments.marker_of_edge(points, segment, middle, slot.n[side].none());
   return ConstrainedEdge{a, b, domain.input_segment_at(segment, middle), marker};
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "../../core/support/point_order.hpp"
+#include "../arithmetic/between_ends.hpp"
 #include "../arithmetic/box.hpp"
 #include "../arithmetic/distance.hpp"
 #include "../arithmetic/expansion.hpp"
@@ -109,7 +110,7 @@ VertexId centre_of_wedge(const Triangulation& t, const DomainSegment& segment, P
   const double squared_other_angle = 2 * (1 - segment.cosine_at(other));
   constexpr double at_60_degrees = 1;
   if (squared_other_angle >= at_60_degrees) return segment.narrow_apex;
-  const Point middle{0.5 * (a.x + b.x), 0.5 * (a.y + b.y)};
+  const Point middle = middle_of(a, b);
   const double here = distance(t.points[segment.narrow_apex], middle), there = distance(t.points[other], middle);
   return here * here * squared_angle <= there * there * squared_other_angle ? segment.narrow_apex : other;
 }

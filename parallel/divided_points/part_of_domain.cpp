@@ -310,7 +310,8 @@ class PartMaker {
     DomainTriangulation& domain = part_.domain;
     const bool is_of_others = named.name.creator != Name::everyone && named.name.creator != Name::rank(ranks_.rank());
     if (is_of_others) part_.named_segments.emplace_back(static_cast<Index>(domain.segments.size()), named.name);
-    domain.segments.add({vertex_of(s.a), vertex_of(s.b), s.cosine_at_a, s.cosine_at_b, apex, named.segment.marker}, places);
+    domain.segments.add({vertex_of(s.a), vertex_of(s.b), s.cosine_at_a, s.cosine_at_b, apex, named.segment.marker},
+                        places);
     domain.input_segment.push_back(named.segment.number);
   }
 

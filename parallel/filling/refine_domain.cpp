@@ -22,9 +22,8 @@ Mesh to_mesh(DomainTriangulation&& domain, InputData input, const Threads& threa
 Watcher watcher(const DomainTriangulation& domain, const Options& options, ToMesh to_mesh) {
   if (!options.after_sweep) return {};
   return [&, to_mesh = std::move(to_mesh)](Triangulation&& snapshot, const Sweep& sweep) -> Status {
-    const Result<Mesh> mesh = to_mesh(
-        {std::move(snapshot), domain.segments, domain.input_of_vertex, domain.input_segment, domain.subsegments,
-         domain.given_origin});
+    const Result<Mesh> mesh = to_mesh({std::move(snapshot), domain.segments, domain.input_of_vertex,
+                                       domain.input_segment, domain.subsegments, domain.given_origin});
     if (!mesh) return mesh.error();
     return options.after_sweep(*mesh, sweep);
   };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "../arithmetic/between_ends.hpp"
 #include "../arithmetic/distance.hpp"
 #include "../triangulation/flips.hpp"
 
@@ -14,11 +15,8 @@ bool Assessor::forbidden(EdgeRef e) const {
 
 bool Assessor::on_kept_segment(EdgeRef e) const {
   const Slot& slot = t_.slot(e);
-  const Point a = t_.points[slot.from(e.side())], b = t_.points[slot.to(e.side())];
-  const Index segment = segment_of(e);
-  const Point middle{0.5 * (a.x + b.x), 0.5 * (a.y + b.y)};
-  int marker = segment == no_index ? 0 : segments_.marker_at(t_.points, segment, middle);
-  if (marker == 0 && slot.n[e.side()].none()) marker = 1;  // as in the mesh
+  const Point middle = middle_of(t_.points[slot.from(e.side())], t_.points[slot.to(e.side())]);
+  const int marker = segments_.marker_of_edge(t_.points, segment_of(e), middle, slot.n[e.side()].none());
   return std::ranges::find(options_.kept_markers, marker) != options_.kept_markers.end();
 }
 

@@ -57,8 +57,8 @@ class DomainSegments {
   void add_end(VertexId v, std::span<const Index> segments);
 
   /// For a mesh that is refined: the subsegments of which the segments consist. Their ends are rounded, so new vertices
-  /// lie on the lines of the pieces, not on those of whole segments.
-  /// `markers`: one per subsegment. They count, not those of whole segments.
+  /// lie on the lines of the pieces, not on those of whole segments. `markers`: one per subsegment. They count, not
+  /// those of whole segments.
   void set_pieces(SegmentPieces pieces, std::vector<int> markers) {
     pieces_ = std::move(pieces);
     markers_of_pieces_ = std::move(markers);
@@ -74,6 +74,11 @@ class DomainSegments {
   /// The marker of the input segment at p, a point of the segment; 0: it has none.
   [[nodiscard]] int marker_at(const Array<Point>& points, Index segment, Point p) const {
     return pieces_.empty() ? segments_[segment].marker : markers_of_pieces_[pieces_.at(points, segment, p).number];
+  }
+  /// The marker that an edge with this middle has in the mesh (ConstrainedEdge::marker), as a part of the segment.
+  [[nodiscard]] int marker_of_edge(const Array<Point>& points, Index segment, Point middle, bool on_boundary) const {
+    const int own = marker_at(points, segment, middle);
+    return own == 0 && on_boundary ? 1 : own;
   }
 
   [[nodiscard]] const DomainSegment& operator[](Index segment) const { return segments_[segment]; }

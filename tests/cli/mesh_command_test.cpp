@@ -24,14 +24,6 @@ class MeshCommand : public Workshop {
     }
   }
 
-  /// The report of a run that ends with `code`.
-  json report(std::vector<std::string> arguments, int code = 0) const {
-    arguments.insert(arguments.begin(), "mesh");
-    arguments.insert(arguments.end(), {"--json", "-"});
-    const Ran ran = pardel(arguments);
-    EXPECT_EQ(ran.exit_code, code) << ran;
-    return json::parse(ran.out, nullptr, false);
-  }
   bool certified(const std::string& domain, const std::string& mesh, std::vector<std::string> goal) const {
     goal.insert(goal.begin(), {"check", domain, mesh});
     const Ran ran = pardel(goal);
@@ -423,6 +415,10 @@ TEST_F(MeshCommand, warns_before_the_refinement_of_a_mesh_with_very_many_triangl
                              {.interrupt_when = "million triangles. --max-vertices limits their number"});
   EXPECT_EQ(stopped.exit_code, 130) << stopped;
   EXPECT_TRUE(holds(stopped.err, {warning, "needs at least 377.9 million triangles."}));
+  write("wider.poly", "4 2 0 0\n1 0 0\n2 1 0\n3 1 1e-8\n4 0 1e-8\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n");
+  const Ran wider = pardel({"mesh", "wider.poly", "-o", "m.vtu", "--progress", "always"},
+                           {.interrupt_when = "million triangles. --max-vertices limits their number"});
+  EXPECT_TRUE(holds(wider.err, {"needs at least 37.8 million triangles."})) << "usually about 100 million";
   const Ran limited = pardel({"mesh", "plate.poly", "-o", "m.vtu", "--max-vertices", "1000"});
   EXPECT_EQ(limited.exit_code, 4) << limited;
   EXPECT_EQ(limited.err.find("million"), std::string::npos) << limited;

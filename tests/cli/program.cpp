@@ -149,6 +149,14 @@ Ran Workshop::run(const std::string& program, const std::vector<std::string>& ar
   return ran;
 }
 
+nlohmann::json Workshop::report(std::vector<std::string> arguments, int code) const {
+  arguments.insert(arguments.begin(), "mesh");
+  arguments.insert(arguments.end(), {"--json", "-"});
+  const Ran ran = pardel(arguments);
+  EXPECT_EQ(ran.exit_code, code) << ran;
+  return nlohmann::json::parse(ran.out, nullptr, false);
+}
+
 void Workshop::write(const std::string& name, std::string_view text) const {
   std::ofstream(folder_ / "work" / name, std::ios::binary) << text;
 }

@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstdint>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <string>
@@ -50,6 +51,9 @@ class Workshop : public ::testing::Test {
   Ran pardel(const std::vector<std::string>& arguments, const RunOptions& options = {}) const;
   /// Runs another program, given by its path, or by its name as in a shell. Exit code 127 if it does not exist.
   Ran run(const std::string& program, const std::vector<std::string>& arguments, const RunOptions& options = {}) const;
+
+  /// The report of `pardel mesh` with these arguments, which ends with `code`.
+  [[nodiscard]] nlohmann::json report(std::vector<std::string> arguments, int code = 0) const;
 
   void write(const std::string& name, std::string_view text) const;
   [[nodiscard]] std::string read(const std::string& name) const;

@@ -22,15 +22,6 @@ class Sources : public Workshop {
         "6 2 0 0\n0 0 0\n1 1 0\n2 2 0\n3 2 1\n4 1 1\n5 0 1\n7 1\n0 0 1 3\n1 1 2 4\n2 2 3 4\n3 3 4 4\n4 4 5 3\n5 5 0 3\n"
         "6 1 4 0\n0\n2\n0 0.5 0.5 1 -1\n1 1.5 0.5 2 -1\n");
   }
-
-  /// The report of a run that ends with `code`.
-  json report(std::vector<std::string> arguments, int code = 0) const {
-    arguments.insert(arguments.begin(), "mesh");
-    arguments.insert(arguments.end(), {"--json", "-"});
-    const Ran ran = pardel(arguments);
-    EXPECT_EQ(ran.exit_code, code) << ran;
-    return json::parse(ran.out, nullptr, false);
-  }
 };
 
 TEST_F(Sources, of_four_small_holes_leave_the_rest_coarse) {

@@ -48,12 +48,12 @@ TEST(GeneratedCases, are_valid_and_of_every_kind) {
   }
   for (const generators::Family family : generators::all_families())
     EXPECT_GT(of_kind[name(family)], cases / 20) << name(family);
-  for (const char* kind : {"angle0",        "angle20",  "angle28",        "angle33",  "area",     "edge",   "caps",
-                           "conforming",    "hull",     "field",          "grading",  "features", "search", "lattice",
-                           "quadtree",      "paper",    "paper_quadtree", "one_tile", "cells",    "fill",   "threads1",
-                           "threads2",      "threads3", "ranks1",         "ranks2",   "ranks3",   "ranks4", "floor",
-                           "kept_segments", "limit",    "refined_again",  "turned",   "far",      "nudged",
-                           "kept_markers"})
+  for (const char* kind :
+       {"angle0",        "angle20",  "angle28",        "angle33",  "area",     "edge",   "caps",
+        "conforming",    "hull",     "field",          "grading",  "features", "search", "lattice",
+        "quadtree",      "paper",    "paper_quadtree", "one_tile", "cells",    "fill",   "threads1",
+        "threads2",      "threads3", "ranks1",         "ranks2",   "ranks3",   "ranks4", "floor",
+        "kept_segments", "limit",    "refined_again",  "turned",   "far",      "nudged", "kept_markers"})
     EXPECT_GT(of_kind[kind], cases / 200) << kind;
 }
 

@@ -14,13 +14,6 @@ namespace {
 
 constexpr const char* families = "lattice domains of every family, random goals and fields of sizes";
 
-/// The width of the domain, or its height, whichever is larger.
-double extent_of(const Pslg& pslg) {
-  const auto [left, right] = std::ranges::minmax(pslg.points, {}, &Point::x);
-  const auto [low, high] = std::ranges::minmax(pslg.points, {}, &Point::y);
-  return std::max(right.x - left.x, high.y - low.y);
-}
-
 /// Lengths that grow linearly with the distance from the nearest of up to three input points.
 std::function<double(Point)> some_cones(const Pslg& pslg) {
   struct Cone {

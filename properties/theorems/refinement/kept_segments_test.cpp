@@ -3,6 +3,7 @@
 #include <set>
 #include <vector>
 
+#include "../../checker/violating_triangles.hpp"
 #include "../framework/shares.hpp"
 #include "meshing.hpp"
 
@@ -21,19 +22,6 @@ bool mark_some_segments(Pslg& pslg) {
     }
   pslg.has_segment_markers = true;
   return any;
-}
-
-/// The triangles of which a violation speaks: for an edge, those on both of its sides.
-std::vector<Index> triangles_of(const Violation& violation, const Mesh& mesh) {
-  if (violation.kind != ViolationKind::long_edge) return {violation.ids.front()};
-  const Index t = violation.ids[2];
-  std::vector<Index> both{t};
-  for (unsigned i = 0; i < 3; ++i) {
-    const Triangle& triangle = mesh.triangles[t];
-    const bool is_edge = triangle.v[i] != violation.ids[0] && triangle.v[i] != violation.ids[1];
-    if (is_edge && triangle.n[i] != no_index) both.push_back(triangle.n[i]);
-  }
-  return both;
 }
 
 PARDEL_PROPERTY(KeptSegments, are_not_split_and_what_misses_a_bound_for_this_is_listed,
@@ -65,8 +53,7 @@ PARDEL_PROPERTY(KeptSegments, are_not_split_and_what_misses_a_bound_for_this_is_
   const Goal no_bounds{.min_angle_deg = 0, .convex_hull = problem.goal.convex_hull};
   require_valid(check(problem.pslg, mesh, no_bounds));
   for (const Violation& violation : check(problem.pslg, mesh, problem.goal).violations) {
-    const std::vector<Index> those = triangles_of(violation, mesh);
-    RC_ASSERT(std::ranges::any_of(those, [&](Index t) { return listed.contains(t); }));
+    RC_ASSERT(std::ranges::any_of(violating_triangles(violation, mesh), [&](Index t) { return listed.contains(t); }));
   }
   classify(is_missed, "a bound is missed because of a kept segment", 20);
   options.threads = 2;

@@ -1,6 +1,7 @@
 // Helpers for the properties of the engine: random meshing problems, and functions that mesh and check them.
 #pragma once
 
+#include <algorithm>
 #include <sstream>
 #include <string>
 
@@ -29,6 +30,13 @@ inline generators::Case some_case(Exhibit& exhibit) {
 }
 inline Problem to_problem(const generators::Case& c) { return {to_pslg(c.domain), to_goal(c.goal, c.domain)}; }
 inline Problem some_problem(Exhibit& exhibit) { return to_problem(some_case(exhibit)); }
+
+/// The width of the domain, or its height, whichever is larger.
+inline double extent_of(const Pslg& pslg) {
+  const auto [left, right] = std::ranges::minmax(pslg.points, {}, &Point::x);
+  const auto [low, high] = std::ranges::minmax(pslg.points, {}, &Point::y);
+  return std::max(right.x - left.x, high.y - low.y);
+}
 
 /// The value of `meshed`; an error fails the case.
 inline Meshed value_of(Result<Meshed> meshed) {

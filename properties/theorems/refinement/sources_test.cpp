@@ -24,12 +24,6 @@ double distance(const SizeSource& source, Point p) {
 
 double some_length(double extent) { return extent * std::ldexp(1.0, -*rc::gen::inRange(3, 7)); }
 
-double extent_of(const Pslg& pslg) {
-  const auto [left, right] = std::ranges::minmax(pslg.points, {}, &Point::x);
-  const auto [low, high] = std::ranges::minmax(pslg.points, {}, &Point::y);
-  return std::max(right.x - left.x, high.y - low.y);
-}
-
 /// Lengths at up to two input points and on up to two segments.
 std::vector<SizeSource> some_sources(const Pslg& pslg, double extent) {
   std::vector<SizeSource> sources;
