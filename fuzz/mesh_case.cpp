@@ -6,6 +6,7 @@
 
 #include "../parallel/repair.hpp"
 #include "../properties/domains/domains.hpp"
+#include "../properties/domains/generators/decorations.hpp"
 #include "../properties/domains/generators/lattice_domain.hpp"
 #include "../properties/domains/generators/mixed_scales.hpp"
 #include "../properties/domains/paths.hpp"
@@ -204,6 +205,16 @@ void decode_mixture(Supply& header, MeshCase& drawn) {
   drawn.goal.convex_hull = false;
 }
 
+/// Data of points, segments and regions, in three of four cases. They depend on the seed, which stored inputs have.
+/// Segments keep their markers if some of these are kept.
+void decorate(MeshCase& drawn) {
+  generators::Random random(drawn.seed);
+  auto decorations = generators::any_switches<generators::Decorations>(random);
+  const std::vector<Segment> segments = drawn.pslg.segments;
+  drawn.pslg = decorated(std::move(drawn.pslg), decorations);
+  if (!drawn.options.kept_markers.empty()) drawn.pslg.segments = segments;
+}
+
 /// Mixes the scales of a repaired domain.
 void mix(Prepared& prepared, const MeshCase& drawn) {
   constexpr int largest_other = 12;
@@ -242,6 +253,7 @@ MeshCase decode_mesh_case(std::span<const std::uint8_t> bytes) {
   decode_mixture(header, drawn);
   for (std::size_t strokes = 0; strokes < most_strokes && !all.empty(); ++strokes)
     drawing.stroke(Supply(all.take(stroke_bytes)));
+  decorate(drawn);
   place(drawn, position);
   drawn.options.max_vertices += drawn.pslg.points.size();
   // A mesh whose segments may not be split is not conforming in general.

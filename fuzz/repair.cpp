@@ -61,6 +61,8 @@ void compare_with_the_definition(const Pslg& pslg) {
 /// does not change them.
 Pslg with_values_of_points(Pslg pslg) {
   pslg.attributes_per_point = linear_attributes.size();
+  pslg.point_attributes.clear();
+  pslg.point_markers.clear();
   for (Index p = 0; p < pslg.points.size(); ++p) {
     for (const Linear& linear : linear_attributes) pslg.point_attributes.push_back(linear(pslg.points[p]));
     pslg.point_markers.push_back(static_cast<int>(p) + 1000);

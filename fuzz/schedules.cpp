@@ -6,12 +6,10 @@
 #include <vector>
 
 #include "../core/digest.hpp"
-#include "../parallel/distributed.hpp"
 #include "../parallel/mesher.hpp"
 #include "../properties/domains/dealt_domain.hpp"
 #include "../properties/domains/generators/random.hpp"
-#include "../properties/theorems/framework/local_ranks.hpp"
-#include "../properties/theorems/framework/points_and_attributes.hpp"
+#include "../properties/theorems/framework/mesh_of_ranks.hpp"
 #include "fuzz_one.hpp"
 #include "mesh_case.hpp"
 #include "with_schedule.hpp"
@@ -87,24 +85,8 @@ void compare_with_interleaved_tasks(const Pslg& pslg, const MeshCase& drawn, std
 /// Each rank calls make(ranks) for its piece. Together the pieces have to be the mesh.
 template <class Make>
 void compare_on_ranks(const Mesh& whole, int count, std::uint64_t seed_of_delays, const Make& make) {
-  std::vector<std::string> faults(static_cast<std::size_t>(count));
-  const auto points = properties::points_and_attributes(whole);
-  properties::on_ranks(
-      count,
-      [&](Ranks& ranks) {
-        std::string& fault = faults[static_cast<std::size_t>(ranks.rank())];
-        const Result<MeshPiece> piece = make(ranks);
-        if (!piece)
-          fault = piece.error().message;
-        else if (digest(*piece, ranks) != digest(whole) || piece->triangles != whole.triangles.size() ||
-                 piece->points != whole.points.size())
-          fault = "another mesh";
-        else if (!std::ranges::includes(points, properties::points_and_attributes(piece->mesh)))
-          fault = "other attributes";
-      },
-      seed_of_delays);
-  for (const std::string& fault : faults)
-    if (!fault.empty()) fail("on " + std::to_string(count) + " ranks: " + fault);
+  const std::string difference = properties::difference_on_ranks(whole, count, make, seed_of_delays);
+  if (!difference.empty()) fail(difference);
 }
 
 /// The points get an attribute that is not linear.

@@ -110,8 +110,8 @@ struct MeshPiece {
 /// vertices that the rank knows, and c crossed triangles. MeshPiece::report has no gaps, and no sweeps of the coarse
 /// levels.
 ///
-/// Errors as for triangulate() and mesh(). On all ranks alike: `invalid_input`, with all problems of segments, holes
-/// and regions, as find_problems() lists them (then the first rank has had the whole domain); `usage` if
+/// Errors as for triangulate() and mesh(). On all ranks alike: `invalid_input`, with all problems as find_problems()
+/// lists them (then the first rank has had the whole domain); `usage` if
 /// can_divide_points() is false, or if domain.rest has points or segments.
 [[nodiscard]] Result<MeshPiece> mesh(PartOfPslg&& domain, const Goal& goal, const Options& options, Ranks& ranks);
 

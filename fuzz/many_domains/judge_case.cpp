@@ -6,10 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "../../core/digest.hpp"
-#include "../../parallel/distributed.hpp"
 #include "../../parallel/mesher.hpp"
-#include "../../properties/theorems/framework/local_ranks.hpp"
+#include "../../properties/theorems/framework/mesh_of_ranks.hpp"
 #include "../judgement.hpp"
 
 namespace pardel::fuzz {
@@ -28,24 +26,12 @@ std::string fault_on_one_thread(const ValidPslg& domain, const GeneratedCase& dr
 
 std::string fault_on_ranks(const ValidPslg& domain, const GeneratedCase& drawn, const Meshed& meshed) {
   if (drawn.ranks == 0) return {};
-  const Digest whole = digest(meshed.mesh);
-  std::vector<std::string> faults(static_cast<std::size_t>(drawn.ranks));
-  const auto work = [&](Ranks& ranks) {
-    std::string& fault = faults[static_cast<std::size_t>(ranks.rank())];
-    const Result<MeshPiece> piece = mesh(domain, drawn.goal, drawn.options, ranks);
-    if (!piece)
-      fault = piece.error().message;
-    else if (digest(*piece, ranks) != whole || piece->triangles != meshed.mesh.triangles.size())
-      fault = "another mesh";
-  };
+  const auto make = [&](Ranks& ranks) { return mesh(domain, drawn.goal, drawn.options, ranks); };
   try {
-    properties::on_ranks(drawn.ranks, work, drawn.delays ? 1 : 0);
+    return properties::difference_on_ranks(meshed.mesh, drawn.ranks, make, drawn.delays ? 1 : 0);
   } catch (const Stopped& stopped) {
-    faults.front() += stopped.error.message;
+    return "on " + std::to_string(drawn.ranks) + " ranks: " + stopped.error.message;
   }
-  for (const std::string& fault : faults)
-    if (!fault.empty()) return "on " + std::to_string(drawn.ranks) + " ranks: " + fault;
-  return {};
 }
 
 /// The meshes of the parts of a mixture: the number of their triangles; nothing if a limit on vertices was reached.

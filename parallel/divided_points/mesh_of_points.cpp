@@ -10,6 +10,7 @@
 #include "../distribution/refine_in_ranks.hpp"
 #include "../given_points/problems_of_points.hpp"
 #include "../given_points/triangulated_points.hpp"
+#include "../given_segments/problems_of_domain.hpp"
 #include "../mesher.hpp"
 #include "../planning/run_plan.hpp"
 #include "../planning/supervised.hpp"
@@ -39,10 +40,17 @@ Result<MeshPiece> mesh_of(PartOfPslg&& input, const Goal& goal, const Options& o
                           Ranks& ranks) {
   Stopwatch watch;
   input.rest.first_id = input.points.first_id;
-  if (Status fine = status_of(unusable_values(input.points, ranks, progress.threads()), input.rest.first_id); !fine)
+  const auto problems_of_all = [&](const std::vector<NumberedPoint>& points) {
+    return status_of_whole(points, input.segments, input.rest, goal.convex_hull, ranks, progress.threads());
+  };
+  if (Status fine = status_of(unusable_values(input.points, ranks, progress.threads()), input.rest.first_id); !fine) {
+    if (Status all = problems_of_all(numbered(input.points)); !all) return all.error();
     return fine.error();
+  }
   const std::optional<KeptDomain> kept = kept_for_attributes(input, ranks);
-  Result<std::unique_ptr<TriangulatedPoints>> made = triangulated(std::move(input.points), ranks, progress.threads());
+  Result<std::unique_ptr<TriangulatedPoints>> made =
+      triangulated(std::move(input.points), ranks, progress.threads(),
+                   [&](const OwnPoints& own) { return problems_of_all(numbered(own.at.span(), own)); });
   if (!made) return made.error();
   Result<PartOfDomain> part_made =
       part_of_domain(**made, {input.segments, input.rest}, goal.convex_hull, ranks, progress.threads());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
 
 #include "../../core/support/agree.hpp"
 #include "../../core/support/collective.hpp"
@@ -94,7 +95,8 @@ class PartMaker {
 
  private:
   [[nodiscard]] Status whole_status() const {
-    return status_of_whole(delaunay_, own_, read_.segments, read_.rest, convex_hull_, ranks_, threads_);
+    const std::span<const Point> at = delaunay_.triangulation().points.span().first(delaunay_.own());
+    return status_of_whole(numbered(at, own_), read_.segments, read_.rest, convex_hull_, ranks_, threads_);
   }
   [[nodiscard]] Error certainly_invalid() const {
     const Status valid = whole_status();

@@ -15,7 +15,8 @@ namespace pardel {
 using namespace engine;
 
 Result<std::unique_ptr<TriangulatedPoints>> engine::triangulated(PartOfPoints&& read, Ranks& ranks,
-                                                                 const Threads& threads) {
+                                                                 const Threads& threads,
+                                                                 const JudgeOfPoints& judge) {
   const FirstId first_id = read.first_id;
   CurveDivision division = divide_along_curve(read.points, ranks);
   OwnPoints own = send_to_owners(std::move(read), division, ranks, threads);
@@ -29,7 +30,8 @@ Result<std::unique_ptr<TriangulatedPoints>> engine::triangulated(PartOfPoints&& 
   const Status made = delaunay.triangulate(common, threads);
   if (sum_of(made ? 0 : 1, ranks) > 0) {
     result->own.at.append(delaunay.triangulation().points.span().first(delaunay.own()));
-    if (Status fine = status_of(unusable_positions(result->own, ranks, threads), first_id); !fine) return fine.error();
+    Status fine = judge ? judge(result->own) : status_of(unusable_positions(result->own, ranks, threads), first_id);
+    if (!fine) return fine.error();
     if (Status all = agree(made, ranks); !all) return all.error();
   }
   ask_others(delaunay, result->division, ranks, threads);

@@ -1,6 +1,7 @@
 // The triangulation of given points, divided among ranks.
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "../../core/part_of_points.hpp"
@@ -20,9 +21,13 @@ struct TriangulatedPoints {
   LocalDelaunay delaunay;
 };
 
-/// Uses up the points. Collective; faults of the input are errors on all ranks alike. Precondition: the values of the
-/// points are usable (unusable_values()).
+/// What is wrong with points that cannot be triangulated. Collective.
+using JudgeOfPoints = std::function<Status(const OwnPoints& own)>;
+
+/// Uses up the points. Collective; faults of the input are errors on all ranks alike: those that `judge` finds; without
+/// it, those of unusable_positions(). Precondition: the values of the points are usable (unusable_values()).
 [[nodiscard]] Result<std::unique_ptr<TriangulatedPoints>> triangulated(PartOfPoints&& read, Ranks& ranks,
-                                                                       const Threads& threads);
+                                                                       const Threads& threads,
+                                                                       const JudgeOfPoints& judge = {});
 
 }  // namespace pardel::engine

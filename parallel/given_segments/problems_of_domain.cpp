@@ -10,11 +10,6 @@
 namespace pardel::engine {
 namespace {
 
-struct NumberedPoint {
-  std::uint64_t number;
-  Point at;
-};
-
 /// The messages have the segments in the order of the ranks, which is that of their numbers.
 Pslg whole_of(const std::vector<Ranks::Bytes>& messages, std::uint64_t points, const Pslg& rest) {
   Pslg whole = rest;
@@ -35,18 +30,28 @@ Pslg whole_of(const std::vector<Ranks::Bytes>& messages, std::uint64_t points, c
 
 }  // namespace
 
-Status status_of_whole(const LocalDelaunay& delaunay, const OwnPoints& own, const PartOfSegments& segments,
-                       const Pslg& rest, bool convex_hull, Ranks& ranks, const Threads& threads) {
+std::vector<NumberedPoint> numbered(std::span<const Point> at, const OwnPoints& own) {
+  std::vector<NumberedPoint> points;
+  for (std::size_t i = 0; i < at.size(); ++i) points.push_back({own.number[i], at[i]});
+  return points;
+}
+
+std::vector<NumberedPoint> numbered(const PartOfPoints& read) {
+  std::vector<NumberedPoint> points;
+  for (std::size_t i = 0; i < read.points.size(); ++i) points.push_back({read.first + i, read.points[i]});
+  return points;
+}
+
+Status status_of_whole(const std::vector<NumberedPoint>& points, const PartOfSegments& segments, const Pslg& rest,
+                       bool convex_hull, Ranks& ranks, const Threads& threads) {
   Writer message;
-  message.list_of<NumberedPoint>(delaunay.own(), [&](std::size_t i) {
-    const auto v = static_cast<VertexId>(i);
-    return NumberedPoint{own.number[v], delaunay.site(v).at};
-  });
+  message.list(points);
   message.list(segments.segments);
+  const std::uint64_t in_all = sum_of(points.size(), ranks);
   const std::vector<Ranks::Bytes> all = to_first(message.take(), ranks);
   Writer problems;
   if (ranks.rank() == 0) {
-    const Pslg whole = whole_of(all, own.first.back(), rest);
+    const Pslg whole = whole_of(all, in_all, rest);
     const std::string text =
         messages(find_problems(whole, ValidateOptions{.convex_hull = convex_hull}, threads), rest.first_id.value);
     problems.list(std::vector<char>(text.begin(), text.end()));

@@ -30,6 +30,16 @@ double nearest_fraction(Point a, Point b, Point p) {
 /// The turn from a over b to p. Its determinant divided by that of the triangle is a barycentric weight of p.
 Orientation<double> turn(Point a, Point b, Point p) { return {b.x - a.x, b.y - a.y, p.x - a.x, p.y - a.y}; }
 
+/// The weights of a point in a triangle, from the three determinants, which are positive or 0, and twice the area. If a
+/// corner is far away, rounding may change a small determinant much. The weights are divided by their sum then, so that
+/// a value lies between those at the corners.
+std::array<double, 3> weights_of(const std::array<double, 3>& determinants, double twice_area) {
+  constexpr double usual_rounding = 1e-12;
+  const double sum = determinants[0] + determinants[1] + determinants[2];
+  const double whole = std::abs(sum - twice_area) > usual_rounding * twice_area ? sum : twice_area;
+  return {determinants[0] / whole, determinants[1] / whole, determinants[2] / whole};
+}
+
 }  // namespace
 
 Background::Background(std::span<const Point> points, std::vector<std::array<Index, 3>> triangles,
@@ -67,14 +77,16 @@ Background::Background(std::span<const Point> points, std::vector<std::array<Ind
 
 Located Background::weights_in(Index leaf, Point p) const {
   const auto c = corners(leaves_[leaf]);
-  Located result{number_[leaf], leaves_[leaf].v, {}};
   const double area = leaves_[leaf].twice_area;
-  bool inside = area > 0;
+  bool inside = area > 0, differs_from_zero = false;
+  std::array<double, 3> determinants{};
   for (unsigned i = 0; i < 3; ++i) {
-    result.weight[i] = turn(c[(i + 1) % 3], c[(i + 2) % 3], p).determinant / area;
-    inside = inside && result.weight[i] >= 0;
+    determinants[i] = turn(c[(i + 1) % 3], c[(i + 2) % 3], p).determinant;
+    inside = inside && determinants[i] >= 0;
+    differs_from_zero = differs_from_zero || determinants[i] > 0;
   }
-  return inside ? result : nearest_in(leaf, p);
+  if (!inside || !differs_from_zero) return nearest_in(leaf, p);
+  return {number_[leaf], leaves_[leaf].v, weights_of(determinants, area)};
 }
 
 /// The weights of the point on the boundary of a triangle that is nearest to p.
@@ -117,8 +129,7 @@ Background::Walk Background::walk(Point p, Index& leaf, int steps, Located& foun
     const Orientation<double> a = turn(c[1], c[2], p), b = turn(c[2], c[0], p), d = turn(c[0], c[1], p);
     if (a.determinant > a.error && b.determinant > b.error && d.determinant > d.error && at.twice_area > 0) {
       // The weights of weights_in(), with the same bits.
-      const double area = at.twice_area;
-      found = {number_[leaf], at.v, {a.determinant / area, b.determinant / area, d.determinant / area}};
+      found = {number_[leaf], at.v, weights_of({a.determinant, b.determinant, d.determinant}, at.twice_area)};
       return Walk::inside;
     }
     unsigned side = a.determinant < -a.error ? 0 : b.determinant < -b.error ? 1 : d.determinant < -d.error ? 2 : 3;

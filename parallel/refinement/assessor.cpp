@@ -9,8 +9,9 @@
 namespace pardel::engine {
 
 bool Assessor::forbidden(EdgeRef e) const {
+  if (t_.on_border_of_patch(e)) return true;  // it is part of no segment
   return options_.no_segment_splits || (options_.no_boundary_splits && t_.slot(e).n[e.side()].none()) ||
-         (!options_.kept_markers.empty() && on_kept_segment(e)) || t_.on_border_of_patch(e);
+         (!options_.kept_markers.empty() && on_kept_segment(e));
 }
 
 bool Assessor::on_kept_segment(EdgeRef e) const {

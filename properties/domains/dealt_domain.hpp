@@ -20,6 +20,7 @@ inline PartOfPoints points_between(const Pslg& pslg, std::size_t first, std::siz
     return List(at(first), at(last));
   };
   part.first = first;
+  part.first_id = pslg.first_id;
   part.points = slice(pslg.points, 1);
   part.point_markers = slice(pslg.point_markers, 1);
   part.attributes_per_point = pslg.attributes_per_point;

@@ -292,6 +292,16 @@ TEST_F(MeshCommand, sizes_at_the_points_of_a_mesh_grade_the_mesh) {
   EXPECT_EQ(digests[0], digests[2]);
 }
 
+TEST_F(MeshCommand, the_first_of_several_attributes_of_a_mesh_has_the_sizes) {
+  write("one.node", "4 2 1 0\n1 0 0 0.02\n2 1 0 0.3\n3 1 1 0.4\n4 0 1 0.02\n");
+  write("two.node", "4 2 2 0\n1 0 0 0.02 9\n2 1 0 0.3 0.01\n3 1 1 0.4 8\n4 0 1 0.02 7\n");
+  write("one.ele", "2 3 0\n1 1 2 3\n2 1 3 4\n");
+  write("two.ele", "2 3 0\n1 1 2 3\n2 1 3 4\n");
+  const json one = report({"square.poly", "-o", "m.node", "--sizes", "one.node"});
+  EXPECT_GT(one["mesh"]["triangles"], 500);
+  EXPECT_EQ(one["digest"], report({"square.poly", "-o", "m.node", "--sizes", "two.node"})["digest"]);
+}
+
 TEST_F(MeshCommand, a_raster_of_sizes_serves_a_repaired_domain_and_a_refined_mesh) {
   write("field.asc", "ncols 1\nnrows 1\nxllcorner 0\nyllcorner 0\ncellsize 1\n0.2\n");
   write("twice.poly", "5 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n5 0 0\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 5\n0\n");

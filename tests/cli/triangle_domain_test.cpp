@@ -134,6 +134,17 @@ TEST_F(TriangleCommand, duplicate_points_are_warned_about_and_keep_their_numbers
   }
 }
 
+TEST_F(TriangleCommand, duplicate_points_keep_their_attributes_and_markers) {
+  write("d.poly",
+        "5 2 2 1\n1 0 0 7 70 3\n2 1 0 8 80 0\n3 0 0 9 90 -4\n4 1 1 1 10 5\n5 0 1 2 20 0\n"
+        "4 0\n1 1 2\n2 2 4\n3 4 5\n4 5 3\n0\n");
+  ASSERT_EQ(pardel({"triangle", "-Qp", "d"}).exit_code, 0);
+  const Rows out = table("d.1.node");
+  ASSERT_EQ(out[0], (std::vector<double>{5, 2, 2, 1}));
+  EXPECT_EQ(out[1], (std::vector<double>{1, 0, 0, 7, 70, 3}));
+  EXPECT_EQ(out[3], (std::vector<double>{3, 0, 0, 9, 90, -4}));
+}
+
 TEST_F(TriangleCommand, crossing_segments_meet_in_a_new_vertex) {
   write("x.poly", "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n6 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n5 1 3\n6 2 4\n0\n");
   const Ran ran = pardel({"triangle", "-Qp", "x"});

@@ -27,6 +27,7 @@ const std::vector<Layer>& layers() {
       {"ref", {"core"}},
       {"properties/checker", {"core"}},
       {"properties/domains", {"core"}},
+      {"properties/comparison", {"core"}},
       {"properties/defects", {"core", "properties/checker", "properties/domains"}},
       {"properties/wrong_meshes", {"core", "properties/checker", "properties/domains", "properties/defects"}},
       {"properties/theorems",

@@ -95,8 +95,10 @@ bool labels_are_usable(const Subject& subject, Findings& found) {
   expect_count(mesh.point_markers.size(), mesh.points.size(), foreign || subject.pslg.point_markers.empty(),
                "point markers");
   expect_count(mesh.point_attributes.size(), mesh.points.size() * mesh.attributes_per_point, false, "point attributes");
-  // Values that a file has and the input has not, such as results, are no attributes.
-  if (!foreign || (mesh.attributes_per_point != 0 && subject.pslg.attributes_per_point != 0))
+  // Values that a file has and the input has not, such as results, are no attributes. A rank without triangles has a
+  // piece without points, which says nothing about attributes.
+  const bool are_attributes = !foreign || (mesh.attributes_per_point != 0 && subject.pslg.attributes_per_point != 0);
+  if (are_attributes && !mesh.points.empty())
     expect_count(mesh.attributes_per_point, subject.pslg.attributes_per_point, false, "attributes of a point");
 
   const auto out_of_range = [&](std::vector<Index> ids, const std::string& what) {

@@ -360,6 +360,12 @@ LatticeDomain generate(Family family, Random& random, int size) {
   return domain;
 }
 
-LatticeDomain any_domain(Random& random, int size) { return generate(random.one_of(all_families()), random, size); }
+LatticeDomain any_domain(Random& random, int size) {
+  LatticeDomain domain = generate(random.one_of(all_families()), random, size);
+  // Not drawn from `random`, so that the geometry of later domains does not depend on decorations.
+  Random of_domain(static_cast<std::uint64_t>(weight(domain).magnitude));
+  domain.decorations = any_switches<Decorations>(of_domain);
+  return domain;
+}
 
 }  // namespace pardel::generators

@@ -58,6 +58,7 @@ std::ostream& operator<<(std::ostream& out, const LatticeDomain& domain) {
   for (const LatticeRegion& r : domain.regions) out << ' ' << r.seed << ' ' << r.attribute << " <= " << r.max_area;
   if (domain.offset != LatticePoint{}) out << "; offset " << domain.offset;
   if (domain.exponent != 0) out << "; times 2^" << -domain.exponent;
+  if (domain.decorations.on.any()) out << "; " << to_string(domain.decorations);
   return out;
 }
 
@@ -73,13 +74,13 @@ Pslg to_pslg(const LatticeDomain& domain) {
   for (const LatticePoint h : domain.holes) pslg.holes.push_back(place_seed(h));
   for (const LatticeRegion& r : domain.regions)
     pslg.regions.push_back({place_seed(r.seed), r.attribute, std::ldexp(r.max_area, 2 * scale)});
-  return pslg;
+  return decorated(std::move(pslg), domain.decorations);
 }
 
 Weight weight(const LatticeDomain& domain) {
   Weight w;
   w.things = domain.points.size() + domain.segments.size() + domain.holes.size() + domain.regions.size();
-  w.oddities = (domain.offset != LatticePoint{}) + (domain.exponent != 0);
+  w.oddities = (domain.offset != LatticePoint{}) + (domain.exponent != 0) + domain.decorations.on.count();
   for (const Segment& s : domain.segments) w.oddities += s.marker != 0;
   for (const LatticeRegion& r : domain.regions) w.oddities += std::isfinite(r.max_area) + (r.attribute != 0);
   for (const LatticePoint p : domain.points) w.magnitude += static_cast<std::uint64_t>(std::abs(p.x) + std::abs(p.y));

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "../../../core/pslg.hpp"
+#include "decorations.hpp"
 #include "random.hpp"
 
 namespace pardel::generators {
@@ -61,6 +62,7 @@ struct LatticeDomain {
   std::vector<LatticeRegion> regions;
   LatticePoint offset;
   int exponent = 0;
+  Decorations decorations;
   friend bool operator==(const LatticeDomain&, const LatticeDomain&) = default;
 };
 
@@ -72,8 +74,8 @@ inline constexpr int largest_exponent = 64;
 /// Prints everything that is needed to reconstruct the domain. Reports of failed properties contain this text.
 std::ostream& operator<<(std::ostream& out, const LatticeDomain& domain);
 
-/// The Pslg, without rounding of coordinates. Area caps are scaled by 4^-exponent. Precondition: numbers are within the
-/// bounds above.
+/// The Pslg with its decorations, without rounding of coordinates. Area caps are scaled by 4^-exponent. Precondition:
+/// numbers are within the bounds above.
 [[nodiscard]] Pslg to_pslg(const LatticeDomain& domain);
 
 /// True if to_pslg() gives a valid Pslg with a non-empty domain:
@@ -89,21 +91,21 @@ std::ostream& operator<<(std::ostream& out, const LatticeDomain& domain);
 
 /// A valid domain with the family's trait. `size`, from 0 to 100, controls the number of points: 3 to 45.
 [[nodiscard]] LatticeDomain generate(Family family, Random& random, int size);
-/// A domain as by generate(), of a random family; all families are equally likely.
+/// A domain as by generate(), of a random family, with any decorations. All families are equally likely.
 [[nodiscard]] LatticeDomain any_domain(Random& random, int size);
 
 /// The measure that every shrinking step reduces, in lexicographic order. The order is well-founded, so shrinking ends.
 struct Weight {
   std::uint64_t things = 0;     ///< the number of points, segments, holes and regions
-  std::uint64_t oddities = 0;   ///< the number of finite caps and of non-zero offsets, exponents, attributes, markers
+  std::uint64_t oddities = 0;   ///< the number of finite caps, decorations, and non-zero offsets, exponents, attributes, markers
   std::uint64_t magnitude = 0;  ///< the sum of the magnitudes of all coordinates
   friend auto operator<=>(const Weight&, const Weight&) = default;
 };
 [[nodiscard]] Weight weight(const LatticeDomain& domain);
 
 /// Simpler domains, those that differ most first: a hole is removed with the segments around it, a region, segments or
-/// a point are removed (outlines stay closed), the lattice becomes coarser, the offset, the exponent or caps are
-/// removed. Each result is valid and has a smaller weight. Precondition: is_valid(domain).
+/// a point are removed (outlines stay closed), the lattice becomes coarser, the offset, the exponent, caps or a
+/// decoration are removed. Each result is valid and has a smaller weight. Precondition: is_valid(domain).
 [[nodiscard]] std::vector<LatticeDomain> shrinks(const LatticeDomain& domain);
 
 }  // namespace pardel::generators

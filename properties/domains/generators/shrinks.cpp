@@ -108,6 +108,8 @@ class Shrinker {
   void use_plain_numbers() {
     if (domain_.offset != LatticePoint{}) simpler_.emplace_back(domain_).offset = {};
     if (domain_.exponent != 0) simpler_.emplace_back(domain_).exponent = 0;
+    for (const Decorations& fewer : generators::shrinks(domain_.decorations))
+      simpler_.emplace_back(domain_).decorations = fewer;
     LatticeDomain plain = domain_;
     for (Segment& s : plain.segments) s.marker = 0;
     for (LatticeRegion& region : plain.regions) region = {region.seed};
@@ -138,6 +140,7 @@ class Shrinker {
     result.family = domain_.family;
     result.offset = domain_.offset;
     result.exponent = domain_.exponent;
+    result.decorations = domain_.decorations;
     std::vector<Index> index(domain_.points.size(), no_index);
     for (Index p = 0; p < index.size(); ++p) {
       if (image.point[p] != p) continue;

@@ -2,41 +2,31 @@
 #include <string>
 #include <vector>
 
-#include "../../../core/digest.hpp"
-#include "../../../core/join_pieces.hpp"
-#include "../../../parallel/distributed.hpp"
 #include "../../checker/check_pieces.hpp"
-#include "../framework/local_ranks.hpp"
+#include "../framework/mesh_of_ranks.hpp"
 #include "../framework/shares.hpp"
 #include "problems_to_fill.hpp"
 
 namespace pardel::properties {
 namespace {
 
-/// What the ranks find out about their pieces.
-struct Findings {
-  std::string error;
-  Digest sum;
-  bool valid = false;
-};
-
-/// Makes the pieces of this rank, joins them, and checks the mesh together with the other ranks.
-Findings find(const ValidPslg& domain, const Goal& goal, const Options& options, int pieces, pardel::Ranks& ranks) {
+/// Makes the pieces of this rank, and joins them to one.
+Result<MeshPiece> own_piece(const ValidPslg& domain, const Goal& goal, const Options& options, int pieces,
+                            pardel::Ranks& ranks) {
   std::vector<NumberedMesh> made;
+  MeshPiece own;
   const Status status = mesh_in_pieces(domain, goal, options, ranks, pieces, [&](MeshPiece&& piece, int) -> Status {
+    own.points = piece.points;
+    own.triangles = piece.triangles;
     made.push_back({std::move(piece.mesh), std::move(piece.number)});
     return Done{};
   });
-  if (!status) return {status.error().message, {}, false};
-  MeshPiece own;
+  if (!status) return status.error();
   Result<NumberedMesh> joined = join_some_pieces(std::move(made));
-  if (!joined) return {joined.error().message, {}, false};
-  own.mesh = joined->mesh;
-  Findings findings{{}, digest(own, ranks), false};
-  const Result<Certificate> certificate = check(domain.pslg(), *joined, goal, {}, ranks);
-  if (!certificate) findings.error = certificate.error().message;
-  findings.valid = certificate && certificate->valid;
-  return findings;
+  if (!joined) return joined.error();
+  own.mesh = std::move(joined->mesh);
+  own.number = std::move(joined->number);
+  return own;
 }
 
 PARDEL_PROPERTY(
@@ -54,15 +44,20 @@ PARDEL_PROPERTY(
   const Meshed whole = meshed(problem, exhibit, options);
   const bool is_valid = check(problem.pslg, whole.mesh, problem.goal).valid;
   const ValidPslg domain = std::move(validate(problem.pslg)).value();
-  std::vector<Findings> findings(count);
-  on_ranks(count,
-           [&](pardel::Ranks& ranks) { findings[ranks.rank()] = find(domain, problem.goal, options, pieces, ranks); });
+  std::vector<char> verdicts(count);
+  const auto make = [&](pardel::Ranks& ranks) -> Result<MeshPiece> {
+    Result<MeshPiece> piece = own_piece(domain, problem.goal, options, pieces, ranks);
+    if (!piece) return piece;
+    const Result<Certificate> certificate =
+        check(problem.pslg, NumberedMesh{piece->mesh, piece->number}, problem.goal, {}, ranks);
+    if (!certificate) return certificate.error();
+    verdicts[ranks.rank()] = certificate->valid;
+    return piece;
+  };
+  const std::string difference = difference_on_ranks(whole.mesh, count, make);
   classify(whole.report.laid > 500 && pieces > 1, "more than 500 equilateral triangles in several pieces", 20);
-  for (const Findings& found : findings) {
-    RC_ASSERT(found.error == "");
-    RC_ASSERT(found.sum == digest(whole.mesh));
-    RC_ASSERT(found.valid == is_valid);
-  }
+  RC_ASSERT(difference == "");
+  for (const bool verdict : verdicts) RC_ASSERT(verdict == is_valid);
 }
 
 }  // namespace

@@ -4,11 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "../../../core/digest.hpp"
-#include "../../../parallel/distributed.hpp"
 #include "../../../parallel/validate.hpp"
 #include "../../domains/dealt_domain.hpp"
-#include "../framework/local_ranks.hpp"
+#include "../framework/mesh_of_ranks.hpp"
 #include "meshing.hpp"
 
 namespace pardel::properties {
@@ -105,18 +103,11 @@ PARDEL_PROPERTY(Gap, is_the_only_place_where_triangles_are_too_large,
   if (count == 1) return;
   const bool is_dealt = can_divide_points(stricter, options) && *rc::gen::arbitrary<bool>();
   const ValidPslg domain = std::move(validate(drawn.pslg)).value();
-  std::vector<std::string> faults(count);
-  on_ranks(count, [&](pardel::Ranks& ranks) {
-    const Result<MeshPiece> piece = is_dealt
-                                        ? mesh(domains::equal_part(drawn.pslg, ranks), stricter, options, ranks)
-                                        : mesh(domain, stricter, options, ranks);
-    std::string& fault = faults[ranks.rank()];
-    if (!piece)
-      fault = piece.error().message;
-    else if (digest(*piece, ranks) != digest(made.mesh))
-      fault = "another mesh";
+  const std::string difference = difference_on_ranks(made.mesh, count, [&](pardel::Ranks& ranks) {
+    return is_dealt ? mesh(domains::equal_part(drawn.pslg, ranks), stricter, options, ranks)
+                    : mesh(domain, stricter, options, ranks);
   });
-  for (const std::string& fault : faults) RC_ASSERT(fault == "");
+  RC_ASSERT(difference == "");
 }
 
 }  // namespace

@@ -6,11 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "../../../core/digest.hpp"
-#include "../../../parallel/distributed.hpp"
 #include "../../domains/dealt_domain.hpp"
-#include "../framework/local_ranks.hpp"
-#include "../framework/points_and_attributes.hpp"
+#include "../framework/mesh_of_ranks.hpp"
 #include "../framework/segments_in_pieces.hpp"
 #include "../framework/shares.hpp"
 #include "meshing.hpp"
@@ -55,27 +52,15 @@ std::vector<PartOfPoints> dealt(const Pslg& pslg, int ranks) {
   return parts;
 }
 
-/// The ranks call make(part, ranks), and together have to get a mesh with the digest and size of this one, and its
-/// attributes of points.
+/// The ranks call make(part, ranks), and together have to get this mesh.
 template <class Make>
 void require_together(const Mesh& whole, std::vector<PartOfPoints> parts, const Make& make) {
   const int count = static_cast<int>(parts.size());
   const bool with_delays = *rc::gen::inRange(0, 10) == 0;
-  const auto points = points_and_attributes(whole);
-  std::vector<std::string> faults(parts.size());
-  on_ranks(
-      count,
-      [&](pardel::Ranks& ranks) {
-        const Result<MeshPiece> piece = make(std::move(parts[ranks.rank()]), ranks);
-        if (!piece)
-          faults[ranks.rank()] = piece.error().message;
-        else if (digest(*piece, ranks) != digest(whole) || piece->triangles != whole.triangles.size())
-          faults[ranks.rank()] = "another mesh";
-        else if (!std::ranges::includes(points, points_and_attributes(piece->mesh)))
-          faults[ranks.rank()] = "other attributes";
-      },
+  const std::string difference = difference_on_ranks(
+      whole, count, [&](pardel::Ranks& ranks) { return make(std::move(parts[ranks.rank()]), ranks); },
       with_delays ? 1 : 0);
-  for (const std::string& fault : faults) RC_ASSERT(fault == "");
+  RC_ASSERT(difference == "");
 }
 
 /// Adds an attribute that is not linear, in half of the cases.

@@ -4,11 +4,9 @@
 #include <utility>
 #include <vector>
 
-#include "../../../core/digest.hpp"
-#include "../../../parallel/distributed.hpp"
 #include "../../checker/check_pieces.hpp"
 #include "../../domains/dealt_domain.hpp"
-#include "../framework/local_ranks.hpp"
+#include "../framework/mesh_of_ranks.hpp"
 #include "../framework/shares.hpp"
 #include "mixed_scales.hpp"
 #include "problems_to_fill.hpp"
@@ -22,21 +20,17 @@ Counts counts_of(const Certificate& certificate) {
   return {certificate.violation_counts.begin(), certificate.violation_counts.end()};
 }
 
-/// What is wrong with the piece of a rank, and what the ranks find when they check their pieces for another goal.
+/// What the ranks find when they check their pieces for another goal.
 struct MixedFindings {
-  std::string fault;
   Counts violations{};
   std::size_t triangles = 0;  ///< of the piece
 };
 
-MixedFindings compare_mixed(const Mesh& whole, Result<MeshPiece> piece, const Problem& judged, pardel::Ranks& ranks) {
-  if (!piece) return {piece.error().message};
-  if (digest(*piece, ranks) != digest(whole) || piece->triangles != whole.triangles.size()) return {"another mesh"};
-  const std::size_t triangles = piece->mesh.triangles.size();
-  const NumberedMesh numbered{std::move(piece->mesh), std::move(piece->number)};
+Result<MixedFindings> judge(const MeshPiece& piece, const Problem& judged, pardel::Ranks& ranks) {
+  const NumberedMesh numbered{piece.mesh, piece.number};
   const Result<Certificate> certificate = check(judged.pslg, numbered, judged.goal, {}, ranks);
-  if (!certificate) return {certificate.error().message};
-  return {{}, counts_of(*certificate), triangles};
+  if (!certificate) return certificate.error();
+  return MixedFindings{counts_of(*certificate), piece.mesh.triangles.size()};
 }
 
 PARDEL_PROPERTY(
@@ -64,17 +58,28 @@ PARDEL_PROPERTY(
   classify(!certificate.valid, "judged for a stricter goal that is missed", 15);
   const ValidPslg domain = std::move(validate(problem.pslg)).value();
   std::vector<MixedFindings> findings(count);
-  on_ranks(count, [&](pardel::Ranks& ranks) {
+  const auto make = [&](pardel::Ranks& ranks) -> Result<MeshPiece> {
     Result<MeshPiece> piece = is_dealt ? mesh(domains::equal_part(problem.pslg, ranks), problem.goal, options, ranks)
                                        : mesh(domain, problem.goal, options, ranks);
-    findings[ranks.rank()] = compare_mixed(whole, std::move(piece), judged, ranks);
-  });
+    if (!piece) return piece;
+    Result<MixedFindings> found = judge(*piece, judged, ranks);
+    if (!found) return found.error();
+    findings[ranks.rank()] = std::move(found).value();
+    return piece;
+  };
+  const std::string difference = difference_on_ranks(whole, count, make);
+  RC_ASSERT(difference == "");
   const std::size_t most = std::ranges::max(findings, {}, &MixedFindings::triangles).triangles;
   classify(4 * most < 3 * whole.triangles.size(), "divided among ranks", 20);
-  for (const MixedFindings& found : findings) {
-    RC_ASSERT(found.fault == "");
-    RC_ASSERT(found.violations == counts_of(certificate));
-  }
+  for (const MixedFindings& found : findings) RC_ASSERT(found.violations == counts_of(certificate));
+}
+
+/// The domain without segments, holes and regions.
+Pslg points_of(Pslg pslg) {
+  pslg.segments.clear();
+  pslg.holes.clear();
+  pslg.regions.clear();
+  return pslg;
 }
 
 PARDEL_PROPERTY(GivenPoints, of_mixed_scales_make_the_triangulation_of_one_process,
@@ -82,19 +87,13 @@ PARDEL_PROPERTY(GivenPoints, of_mixed_scales_make_the_triangulation_of_one_proce
                               "make the Delaunay triangulation of one process.",
                  .source = "properties/THEORY.md, GivenPoints",
                  .families = mixed_families}) {
-  Pslg points;
-  points.points = some_mixed_problem(exhibit).problem.pslg.points;
+  const Pslg points = points_of(some_mixed_problem(exhibit).problem.pslg);
   const Mesh whole = value_of(triangulate(points)).mesh;
   const int count = *rc::gen::inRange(2, 6);
-  std::vector<std::string> faults(count);
-  on_ranks(count, [&](pardel::Ranks& ranks) {
-    const Result<MeshPiece> piece = triangulate(domains::equal_part(points, ranks).points, {.threads = 1}, ranks);
-    if (!piece)
-      faults[ranks.rank()] = piece.error().message;
-    else if (digest(*piece, ranks) != digest(whole) || piece->triangles != whole.triangles.size())
-      faults[ranks.rank()] = "another triangulation";
+  const std::string difference = difference_on_ranks(whole, count, [&](pardel::Ranks& ranks) {
+    return triangulate(domains::equal_part(points, ranks).points, {.threads = 1}, ranks);
   });
-  for (const std::string& fault : faults) RC_ASSERT(fault == "");
+  RC_ASSERT(difference == "");
 }
 
 }  // namespace

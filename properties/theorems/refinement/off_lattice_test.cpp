@@ -56,6 +56,8 @@ PARDEL_PROPERTY(Refinement, keeps_the_labels_of_points,
                  .families = every_family}) {
   Problem problem = some_problem(exhibit);
   problem.pslg.attributes_per_point = 2;
+  problem.pslg.point_markers.clear();
+  problem.pslg.point_attributes.clear();
   for (std::size_t i = 0; i < problem.pslg.points.size(); ++i) {
     problem.pslg.point_markers.push_back(*rc::gen::inRange(0, 4));
     problem.pslg.point_attributes.insert(problem.pslg.point_attributes.end(), {double(i), 0.5 * double(i * i)});
@@ -76,6 +78,7 @@ PARDEL_PROPERTY(Refinement, interpolates_attributes_along_segments,
   Problem problem = some_problem(exhibit);
   std::vector<double>& given = problem.pslg.point_attributes;
   problem.pslg.attributes_per_point = 1;
+  given.clear();
   for (std::size_t i = 0; i < problem.pslg.points.size(); ++i) given.push_back(*rc::gen::inRange(-1000, 1000));
   const Mesh mesh = meshed(problem, exhibit).mesh;
   for (Index v = 0; v < mesh.points.size(); ++v) {

@@ -2,11 +2,8 @@
 #include <cmath>
 #include <functional>
 #include <string>
-#include <vector>
 
-#include "../../../core/digest.hpp"
-#include "../../../parallel/distributed.hpp"
-#include "../framework/local_ranks.hpp"
+#include "../framework/mesh_of_ranks.hpp"
 #include "../framework/shares.hpp"
 #include "meshing.hpp"
 
@@ -23,7 +20,8 @@ std::function<double(Point)> growing_sizes(const Problem& problem) {
 PARDEL_PROPERTY(
     Ranks, make_the_mesh_of_one_process,
     {.statement = "For every domain, goal and field of sizes, on tiles of every kind, with random delays of "
-                  "messages, two to six ranks make the mesh that one process makes, triangle by triangle.",
+                  "messages, two to six ranks make the mesh that one process makes, triangle by triangle, with the same markers, "
+                  "attributes and origins of points.",
      .source = "properties/THEORY.md, Ranks",
      .families = "lattice domains of every family, random goals, fields of sizes, and options"}) {
   Problem problem = some_problem(exhibit);
@@ -36,23 +34,15 @@ PARDEL_PROPERTY(
 
   const Meshed whole = meshed(problem, exhibit, options);
   const ValidPslg domain = std::move(validate(problem.pslg)).value();
-  std::vector<std::string> faults(count);
   std::uint64_t other_ranks_triangles = 0;
-  on_ranks(
-      count,
-      [&](pardel::Ranks& ranks) {
-        const Result<MeshPiece> piece = mesh(domain, problem.goal, options, ranks);
-        if (!piece) {
-          faults[ranks.rank()] = piece.error().message;
-          return;
-        }
-        const bool is_same = digest(*piece, ranks) == digest(whole.mesh);
-        if (!is_same || piece->triangles != whole.mesh.triangles.size()) faults[ranks.rank()] = "another mesh";
-        if (ranks.rank() == 0) other_ranks_triangles = piece->triangles - piece->mesh.triangles.size();
-      },
-      with_delays ? 1 : 0);
+  const auto make = [&](pardel::Ranks& ranks) {
+    Result<MeshPiece> piece = mesh(domain, problem.goal, options, ranks);
+    if (piece && ranks.rank() == 0) other_ranks_triangles = piece->triangles - piece->mesh.triangles.size();
+    return piece;
+  };
+  const std::string difference = difference_on_ranks(whole.mesh, count, make, with_delays ? 1 : 0);
   classify(other_ranks_triangles > whole.mesh.triangles.size() / 4, "divided among ranks", 20);
-  for (const std::string& fault : faults) RC_ASSERT(fault == "");
+  RC_ASSERT(difference == "");
 }
 
 }  // namespace

@@ -1,0 +1,174 @@
+#include "decorated.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <ostream>
+#include <set>
+#include <vector>
+
+#include "../../../core/support/enum_names.hpp"
+#include "../../checker/violating_triangles.hpp"
+
+namespace pardel::properties {
+namespace {
+
+using generators::Random;
+
+constexpr auto wish_names = enum_names<Wish>({
+    {Wish::area, "area"},
+    {Wish::edge, "edge"},
+    {Wish::caps_of_regions, "caps_of_regions"},
+    {Wish::field, "field"},
+    {Wish::lengths_at_points, "lengths_at_points"},
+    {Wish::growth, "growth"},
+    {Wish::sources, "sources"},
+    {Wish::narrow_places, "narrow_places"},
+    {Wish::conforming, "conforming"},
+    {Wish::hull, "hull"},
+    {Wish::fill, "fill"},
+    {Wish::floor, "floor"},
+    {Wish::kept_markers, "kept_markers"},
+    {Wish::kept_boundary, "kept_boundary"},
+    {Wish::quadtree, "quadtree"},
+    {Wish::small_tiles, "small_tiles"},
+    {Wish::circumcentres, "circumcentres"},
+});
+static_assert(wish_names.size() == Wishes{}.on.size());
+
+/// Makes the goal and the options of a case. Every wish has random numbers of its own, so that it stays the same
+/// when others are switched off.
+class ProblemMaker {
+ public:
+  explicit ProblemMaker(const DecoratedCase& c)
+      : wishes_(c.wishes), made_{to_problem(c.plain), {.threads = 1}, c.wishes}, extent_(extent_of(pslg())) {}
+
+  DecoratedProblem make() {
+    bounds();
+    lengths();
+    options();
+    if (!may_split_all_segments(made_.options)) goal().conforming = false;
+    return std::move(made_);
+  }
+
+ private:
+  Pslg& pslg() { return made_.problem.pslg; }
+  Goal& goal() { return made_.problem.goal; }
+  [[nodiscard]] bool has(Wish wish) const { return wishes_.has(wish); }
+  [[nodiscard]] Random random_of(Wish wish) const {
+    return Random(wishes_.seed + static_cast<std::uint64_t>(wish));
+  }
+  [[nodiscard]] double some_length(Random& random) const { return extent_ / random.between(3, 24); }
+
+  void bounds() {
+    Random of_area = random_of(Wish::area), of_edge = random_of(Wish::edge);
+    const double length = some_length(of_area);
+    goal().max_area = has(Wish::area) ? length * length : std::numeric_limits<double>::infinity();
+    if (has(Wish::edge)) goal().max_edge = some_length(of_edge);
+    goal().region_caps = has(Wish::caps_of_regions);
+    Random of_caps = random_of(Wish::caps_of_regions);
+    if (goal().region_caps)
+      for (Region& region : pslg().regions) region.max_area = length * length * std::ldexp(1, of_caps.between(-3, 2));
+    goal().conforming = has(Wish::conforming);
+    goal().convex_hull = has(Wish::hull);
+  }
+
+  void lengths() {
+    if (has(Wish::field)) add_size(field());
+    if (has(Wish::lengths_at_points)) add_size(between_points());
+    Random of_growth = random_of(Wish::growth);
+    if (has(Wish::growth) || has(Wish::sources)) goal().grading = of_growth.one_of<double>({0.2, 0.5, 1});
+    if (has(Wish::sources)) goal().sources = sources();
+    Random of_places = random_of(Wish::narrow_places);
+    if (has(Wish::narrow_places)) goal().feature_edges = of_places.one_of<double>({0.5, 1, 2});
+  }
+
+  /// The lesser of two fields is the wanted length.
+  void add_size(std::function<double(Point)> size) {
+    if (goal().size) size = [one = goal().size, other = std::move(size)](Point p) { return std::min(one(p), other(p)); };
+    goal().size = std::move(size);
+  }
+  std::function<double(Point)> field() {
+    Random random = random_of(Wish::field);
+    const Point centre = random.one_of(pslg().points);
+    const double least = some_length(random), slope = random.one_of<double>({0.1, 0.5, 2});
+    return [=](Point p) { return least + slope * std::hypot(p.x - centre.x, p.y - centre.y); };
+  }
+  std::function<double(Point)> between_points() {
+    Random random = random_of(Wish::lengths_at_points);
+    std::vector<double> lengths;
+    for (std::size_t i = 0; i < pslg().points.size(); ++i) lengths.push_back(some_length(random));
+    Result<std::function<double(Point)>> size =
+        interpolated_size(pslg(), lengths, goal().convex_hull, {.threads = 1});
+    if (!size) RC_FAIL(size.error().message);
+    return std::move(size).value();
+  }
+  std::vector<SizeSource> sources() {
+    Random random = random_of(Wish::sources);
+    const Point p = random.one_of(pslg().points);
+    const double at_point = some_length(random), on_segment = some_length(random);
+    std::vector<SizeSource> result{{p, p, at_point, at_point}};
+    if (pslg().segments.empty()) return result;
+    const Segment s = random.one_of(pslg().segments);
+    result.push_back({pslg().points[s.a], pslg().points[s.b], on_segment, on_segment});
+    return result;
+  }
+
+  void options() {
+    Options& options = made_.options;
+    if (has(Wish::fill)) options.interior = Interior::fill;
+    Random of_floor = random_of(Wish::floor), of_markers = random_of(Wish::kept_markers);
+    if (has(Wish::floor)) options.min_edge = extent_ * std::ldexp(1, -of_floor.between(3, 8));
+    if (has(Wish::kept_markers))
+      options.kept_markers = {pslg().segments.empty() ? 1 : of_markers.one_of(pslg().segments).marker};
+    options.no_boundary_splits = has(Wish::kept_boundary);
+    if (has(Wish::quadtree)) options.decomposition = Decomposition::quadtree;
+    if (has(Wish::small_tiles)) options.triangles_per_tile = 10;
+    if (has(Wish::circumcentres)) options.placement = Placement::circumcentre;
+  }
+
+  const Wishes wishes_;
+  DecoratedProblem made_;
+  double extent_;
+};
+
+DecoratedCase any_decorated_case(Random& random, int size) {
+  DecoratedCase drawn{generators::any_case(random, size / 2), {}};
+  drawn.wishes = generators::any_switches<Wishes>(random);
+  return drawn;
+}
+
+std::vector<DecoratedCase> simpler_cases(const DecoratedCase& c) {
+  std::vector<DecoratedCase> simpler;
+  for (const Wishes& fewer : shrinks(c.wishes)) simpler.push_back({c.plain, fewer});
+  for (generators::Case& plain : generators::shrinks(c.plain)) simpler.push_back({std::move(plain), c.wishes});
+  return simpler;
+}
+
+}  // namespace
+
+const char* name(Wish wish) { return wish_names[wish]; }
+
+std::ostream& operator<<(std::ostream& out, const DecoratedCase& c) {
+  return out << c.plain << "; " << to_string(c.wishes);
+}
+
+DecoratedProblem some_decorated_problem(Exhibit& exhibit) {
+  const DecoratedCase c = *generators::generator(any_decorated_case, simpler_cases);
+  RC_TAG(std::string(generators::name(c.plain.domain.family)));
+  exhibit.show(to_pslg(c.plain.domain));
+  return ProblemMaker(c).make();
+}
+
+void require_certified(const DecoratedProblem& drawn, const Meshed& meshed) {
+  const auto& [pslg, goal] = drawn.problem;
+  require_valid(check(pslg, meshed.mesh, {.min_angle_deg = 0, .convex_hull = goal.convex_hull}));
+  std::set<Index> listed;
+  for (const Exemption& e : meshed.report.exempt) listed.insert(e.triangle);
+  for (const Violation& violation : check(pslg, meshed.mesh, goal).violations)
+    if (std::ranges::none_of(violating_triangles(violation, meshed.mesh), [&](Index t) { return listed.contains(t); }))
+      RC_FAIL(violation.message());
+}
+
+}  // namespace pardel::properties
