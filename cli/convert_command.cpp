@@ -20,6 +20,7 @@
 #include "mesh_format_options.hpp"
 #include "output.hpp"
 #include "plural.hpp"
+#include "renumber.hpp"
 #include "suffix.hpp"
 
 namespace pardel::cli {
@@ -30,6 +31,7 @@ struct ConvertArguments {
   fs::path input;
   fs::path output;
   MeshFormatOptions format;
+  bool drop_unused = false;
   bool quiet = false;
 };
 
@@ -44,6 +46,7 @@ Status check_output_of(const ConvertArguments& arguments, const Pslg& /*domain*/
                                                "makes a mesh",
                                                in, out));
   if (arguments.format.of_stream) return wrong_output(arguments, "--format is for meshes; " + in + " is a domain");
+  if (arguments.drop_unused) return wrong_output(arguments, "--drop-unused is for meshes; " + in + " is a domain");
   const std::array outputs = {NamedFile{"OUT", arguments.output, false}};
   if (Status fine = check_distinct(outputs, std::array{domain_input(arguments.input)}); !fine) return fine;
   return check_poly_output(arguments.output);
@@ -72,9 +75,10 @@ Status convert(const ConvertArguments& arguments, const Pslg& domain, ProgressBa
   return Done{};
 }
 
+/// Writes `mesh`, which is the mesh `as_read` or has fewer vertices.
 /// Returns why the .poly has neither holes nor regions: the boundary of the mesh is no domain, as where nodes are
 /// doubled. Nothing if it has them, or if there is no .poly.
-Result<std::string> write(const ConvertArguments& arguments, const Mesh& mesh) {
+Result<std::string> write(const ConvertArguments& arguments, const Mesh& as_read, const Mesh& mesh) {
   const auto done = [](Status written, std::string why) -> Result<std::string> {
     if (!written) return written.error();
     return why;
@@ -82,7 +86,7 @@ Result<std::string> write(const ConvertArguments& arguments, const Mesh& mesh) {
   if (mesh_format(arguments.output) != MeshFormat::triangle)
     return done(write_mesh(mesh, {}, arguments.output, arguments.format.for_file(arguments.output)), {});
   // The .poly contains the holes and the regions, too.
-  const Result<Pslg> pslg = domain_with(arguments.input, mesh);
+  const Result<Pslg> pslg = domain_with(arguments.input, as_read);
   if (!pslg && pslg.error().kind != ErrorKind::invalid_input) return pslg.error();
   const fs::path stem = fs::path(arguments.output).replace_extension();
   return done(write_triangle_files(mesh, pslg ? *pslg : Pslg{}, stem,
@@ -90,8 +94,14 @@ Result<std::string> write(const ConvertArguments& arguments, const Mesh& mesh) {
               pslg ? "" : pslg.error().message);
 }
 
-Status convert(const ConvertArguments& arguments, const Mesh& mesh, ProgressBar& bar) {
-  const Result<std::string> no_domain = write(arguments, mesh);
+Status convert(const ConvertArguments& arguments, const Mesh& as_read, ProgressBar& bar) {
+  Mesh used_only;
+  if (arguments.drop_unused) {
+    used_only = as_read;
+    remove_unused_vertices(used_only);
+  }
+  const Mesh& mesh = arguments.drop_unused ? used_only : as_read;
+  const Result<std::string> no_domain = write(arguments, as_read, mesh);
   if (!no_domain) return no_domain.error();
   print(arguments, bar,
         plural(mesh.points.size(), "vertex", "vertices") + ", " + plural(mesh.triangles.size(), "triangle"));
@@ -134,9 +144,10 @@ Command add_convert(CLI::App& program) {
       ->required()
       ->type_name("");
   add_mesh_format_options(*app, arguments->format);
+  add_drop_option(*app, arguments->drop_unused);
   app->add_flag("-q,--quiet", arguments->quiet, "Print nothing on standard output");
   app->footer(
-      R"(The numbering of the vertices, coordinates, regions, markers and constrained edges stay the same, and
+      R"(The numbering of the vertices (without --drop-unused), coordinates, regions, markers and constrained edges stay the same, and
 so do fields (values at points and in triangles) and names of regions and markers. A note on standard error names
 what the format of OUT cannot store. --open-boundary needs the markers that IN has.
 

@@ -13,6 +13,7 @@
 
 #include "../core/formats.hpp"
 #include "../parallel/gaps.hpp"
+#include "../parallel/mesher.hpp"
 #include "../parallel/repair.hpp"
 #include "../parallel/validate.hpp"
 #include "command.hpp"
@@ -23,6 +24,7 @@
 #include "json_text.hpp"
 #include "output.hpp"
 #include "plural.hpp"
+#include "points_outside.hpp"
 #include "problems_text.hpp"
 #include "progress_bar.hpp"
 #include "refusal.hpp"
@@ -41,17 +43,18 @@ struct DoctorArguments {
   bool quiet = false;
 };
 
-/// What the command found out. The warnings and gaps are those of the repaired domain; without repair, those of the
-/// domain if it has no problems.
+/// What the command found out. The warnings, the gaps and the points outside are those of the repaired domain; without
+/// repair, those of the domain if it has no problems.
 struct Findings {
   std::vector<Problem> problems;
   std::vector<Warning> warnings{};
   std::optional<Repaired> repaired{};
   std::vector<Gap> gaps{};
+  std::optional<PointsOutside> outside{};
 };
 
 nlohmann::ordered_json to_json(const Domain& domain, const Findings& findings) {
-  const auto& [problems, warnings, repaired, gaps] = findings;
+  const auto& [problems, warnings, repaired, gaps, outside] = findings;
   nlohmann::ordered_json json = {{"schema", "pardel.doctor/1"},
                                  {"file", domain.name},
                                  {"input",
@@ -62,9 +65,11 @@ nlohmann::ordered_json to_json(const Domain& domain, const Findings& findings) {
                                  {"valid", problems.empty()},
                                  {"problems", nlohmann::ordered_json::array()},
                                  {"warnings", warnings_json(warnings, domain.pslg.first_id.value)},
+                                 {"points_outside", nullptr},
                                  {"repaired", nullptr},
                                  {"gaps", gaps_json(gaps, domain.pslg.first_id.value)}};
   for (const Problem& problem : problems) json["problems"].push_back(problem_json(problem, domain.pslg.first_id.value));
+  if (outside) json["points_outside"] = outside->count;
   if (repaired) {
     const Pslg& pslg = repaired->domain.pslg();
     json["repaired"] = {{"points", pslg.points.size()}, {"segments", pslg.segments.size()},
@@ -75,7 +80,7 @@ nlohmann::ordered_json to_json(const Domain& domain, const Findings& findings) {
 }
 
 void print(const DoctorArguments& arguments, const Domain& domain, const Findings& findings) {
-  const auto& [problems, warnings, repaired, gaps] = findings;
+  const auto& [problems, warnings, repaired, gaps, outside] = findings;
   const bool asked_for_repair = !arguments.repaired.empty();
   const Pslg& pslg = domain.pslg;
   fmt::print("{}: {}, {}, {}, {}: ", domain.name, plural(pslg.points.size(), "point"),
@@ -138,12 +143,18 @@ Result<ExitCode> run(const DoctorArguments& arguments) {
     Result<std::vector<Gap>> found = find_gaps(*examined);
     if (!found) return found.error();
     findings.gaps = std::move(*found);
+    const Result<Meshed> triangulation = triangulate(*examined);
+    if (!triangulation) return triangulation.error();
+    findings.outside = points_outside(triangulation->mesh);
   }
   bar.finish();
   if (examined != nullptr) {
     const std::string name = findings.repaired ? arguments.repaired.string() : domain->name;
     findings.warnings = print_warnings(*examined, name);
     if (!findings.gaps.empty()) warn(gaps_text(findings.gaps, name, *examined));
+    if (findings.outside->count > 0)
+      warn(fmt::format("{}: {}", name,
+                       note_about(*findings.outside, true, "'pardel mesh --drop-unused' writes a mesh without them")));
   }
   if (Status reported = report(arguments, *domain, findings); !reported) return reported.error();
   if (!repaired) return repaired.error();

@@ -25,7 +25,9 @@
 #include "mesh_options.hpp"
 #include "output.hpp"
 #include "paranoid.hpp"
+#include "points_outside.hpp"
 #include "refusal.hpp"
+#include "renumber.hpp"
 #include "report.hpp"
 #include "verdict.hpp"
 #include "with_progress.hpp"
@@ -125,9 +127,10 @@ void watch_size(const MeshArguments& arguments, std::optional<LeastSize>& large,
 Certificate check_mesh(const MeshArguments& arguments, const MeshInput& input, const Meshed& meshed, const Goal& goal,
                        ProgressBar& bar) {
   bar.begin("checking");
-  // A refined mesh has the region numbers of the coarse mesh, not those of the domain.
+  // A refined mesh has the region numbers of the coarse mesh, not those of the domain. Without the points outside, the
+  // vertices do not have the numbers of the input.
   return check(pslg_of(input.source), meshed.mesh, goal,
-               {.max_violations = most_kept(arguments.json), .foreign = arguments.refine});
+               {.max_violations = most_kept(arguments.json), .foreign = arguments.refine || arguments.drop_unused});
 }
 
 /// Sets the options that check the mesh after every sweep (one pass of the refinement over all cells of a lattice).
@@ -138,6 +141,17 @@ void watch_sweeps(const MeshArguments& arguments, const Pslg& pslg, const Goal& 
   options.after_sweep = [&pslg, &checked, how](const Mesh& mesh, const Sweep& sweep) {
     return check_sweep(pslg, mesh, ++checked, sweep, how);
   };
+}
+
+/// Says how many points are in no triangle, and leaves them out if the user wants it.
+void note_and_drop_points_outside(const MeshArguments& arguments, Mesh& mesh, MeshRun& run) {
+  const PointsOutside outside = points_outside(mesh);
+  run.points_outside = outside.count;
+  if (outside.count == 0) return;
+  const char* then =
+      arguments.drop_unused ? "the mesh is written without them" : "--drop-unused writes the mesh without them";
+  warn(fmt::format("{}: {}", arguments.input.string(), note_about(outside, !arguments.refine, then)));
+  if (arguments.drop_unused) remove_unused_vertices(mesh);
 }
 
 Result<ExitCode> verdict(const MeshRun& run, const Source& source, const Mesh& mesh) {
@@ -209,6 +223,7 @@ Result<ExitCode> run(MeshArguments& arguments) {
   watch_size(arguments, run.large, how);
   Result<Meshed> meshed = make_mesh(*input, *goal, with_progress(how, bar));
   if (!meshed) return refuse(why_not_meshed(arguments, *input, meshed.error()));
+  note_and_drop_points_outside(arguments, meshed->mesh, run);
   watch.lap();
   if (arguments.check) run.certificate = check_mesh(arguments, *input, *meshed, *goal, bar);
   run.seconds.check = watch.lap();

@@ -26,4 +26,9 @@ inline void add_mesh_format_options(CLI::App& app, MeshFormatOptions& format) {
       ->type_name("MARKER[,MARKER]");
 }
 
+/// An option of `mesh` and `convert`, and a switch of `triangle`.
+inline void add_drop_option(CLI::App& app, bool& drop_unused) {
+  app.add_flag("-j,--drop-unused", drop_unused, "Leave out the vertices that are in no triangle");
+}
+
 }  // namespace pardel::cli

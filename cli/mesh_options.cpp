@@ -81,6 +81,7 @@ void add_steps(CLI::App& app, MeshArguments& arguments) {
 
 void add_forms_of_output(CLI::App& app, MeshArguments& arguments) {
   add_mesh_format_options(app, arguments.format);
+  add_drop_option(app, arguments.drop_unused);
   add_report_option(app, arguments.json);
   add_progress_option(app, arguments.progress);
   app.add_flag("-q,--quiet", arguments.quiet, "Print nothing on standard output except the report of --json -");

@@ -30,6 +30,7 @@ struct MeshArguments {
   bool check = false;
   bool paranoid = false;
   MeshFormatOptions format;
+  bool drop_unused = false;
   std::filesystem::path json;
   ShowProgress progress = ShowProgress::automatic;
   bool quiet = false;

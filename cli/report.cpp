@@ -196,6 +196,7 @@ std::string to_json(const MeshRun& run) {
       {"version", PARDEL_VERSION},
       {"file", run.name},
       {"input", {{"points", run.points}, {"segments", run.segments}, {"holes", run.holes}, {"regions", run.regions}}},
+      {"points_outside", run.points_outside},
       {"warnings", warnings_json(run.warnings, 0)},
       {"goal", goal_json(run)},
       {"threads", run.options.threads},

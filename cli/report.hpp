@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -37,6 +38,7 @@ struct RanksOfRun {
 struct MeshRun {
   std::string name;  ///< the name of the input file
   std::size_t points = 0, segments = 0, holes = 0, regions = 0;
+  std::uint64_t points_outside = 0;  ///< the points of the input that are in no triangle
   Goal goal;
   std::vector<Warning> warnings;    ///< of the domain
   std::optional<LeastSize> large;   ///< if the mesh needs very many triangles

@@ -14,6 +14,7 @@
 #include "command.hpp"
 #include "input.hpp"
 #include "large_angle.hpp"
+#include "points_outside.hpp"
 #include "renumber.hpp"
 #include "report.hpp"
 #include "triangle_files.hpp"
@@ -209,6 +210,11 @@ Result<ExitCode> run(const TriangleSwitches& switches) {
   const bool right = !switches.check || is_right(switches, *input, made->goal, made->meshed);
 
   Mesh& mesh = made->meshed.mesh;
+  if (const PointsOutside outside = points_outside(mesh); outside.count > 0 && !switches.quiet)
+    warn(fmt::format("{}: {}", switches.name,
+                     note_about(outside, !switches.refine,
+                                switches.jettison ? "the mesh is written without them"
+                                                  : "the switch j writes the mesh without them")));
   if (input->original) restore_numbering(mesh, *input->original, input->point_map);
   if (switches.jettison) remove_unused_vertices(mesh);
   set_regions(switches, mesh);

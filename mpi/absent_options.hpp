@@ -7,7 +7,7 @@
 
 namespace pardel::mpi {
 
-inline constexpr std::array<cli::AbsentOption, 8> absent_options = {{
+inline constexpr std::array<cli::AbsentOption, 9> absent_options = {{
     {"mesh", "--refine", "ranks begin with a domain, not with a mesh; use 'pardel mesh --refine'"},
     {"mesh", "--max-vertices",
      "ranks insert vertices at the same time, so the mesh at a limit would depend on their number; limit the memory of "
@@ -20,6 +20,9 @@ inline constexpr std::array<cli::AbsentOption, 8> absent_options = {{
      "ranks write the corners of triangles only; write OUT.pvtu, and then use 'pardel convert --order 2'"},
     {"mesh", "--open-boundary",
      "ranks do not write the formats that have open boundaries; write OUT.pvtu, and then use 'pardel convert'"},
+    {"mesh", "--drop-unused",
+     "the numbers of vertices in pieces begin with those of the input; write OUT.pvtu, and then use 'pardel convert "
+     "--drop-unused'"},
     {"mesh", "--progress", "mpirun passes on the lines of all ranks, and a bar is not a line; there is no substitute"},
     {"check", "--progress", "mpirun passes on the lines of all ranks, and a bar is not a line; there is no substitute"},
 }};

@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 
+#include "../cli/points_outside.hpp"
 #include "../core/digest.hpp"
 #include "../parallel/distributed.hpp"
 #include "job.hpp"
@@ -21,6 +22,7 @@ struct Seconds {
 struct Made {
   std::uint64_t points = 0, triangles = 0, constrained_edges = 0, missed = 0;  ///< of the whole mesh
   std::uint64_t least = UINT64_MAX, most = 0;                                  ///< triangles of a piece
+  std::uint64_t points_outside = 0;                                            ///< in the pieces of this rank
   std::uint64_t margin = 0;                                                    ///< MeshPiece::margin of this rank
   Digest digest;                                                               ///< of the pieces of this rank
   Seconds seconds;
@@ -34,6 +36,7 @@ struct Made {
     missed = piece.missed;
     least = std::min<std::uint64_t>(least, piece.mesh.triangles.size());
     most = std::max<std::uint64_t>(most, piece.mesh.triangles.size());
+    points_outside += cli::points_outside(piece.mesh).count;
     margin += piece.margin;
     digest = digest + pardel::digest(piece.mesh);
     seconds.refine = piece.report.refine_seconds;

@@ -23,6 +23,7 @@
 #include "../cli/mesh_options.hpp"
 #include "../cli/names.hpp"
 #include "../cli/output.hpp"
+#include "../cli/points_outside.hpp"
 #include "../cli/refusal.hpp"
 #include "../cli/report.hpp"
 #include "../cli/threads_option.hpp"
@@ -406,6 +407,11 @@ Result<ExitCode> run_mesh(Arguments& arguments, Job& job) {
   made->seconds.all = watch.seconds();
   const bool is_quiet = arguments.quiet || is_standard_output(arguments.json);
   print(*made, "refine", arguments.options.threads, arguments.outputs, is_quiet, job);
+  run.report.points_outside = sum_of(made->points_outside, job.ranks());
+  if (const std::string note =
+          note_about({run.report.points_outside}, true, "'pardel convert --drop-unused' writes the mesh without them");
+      !note.empty() && job.is_first())
+    warn(arguments.input.string() + ": " + note, program);
   if (Status reported = write_report(*made, Stopwatch(), run); !reported) return reported.error();
   return verdict(*made, run);
 }

@@ -32,6 +32,11 @@ class BothPrograms : public testing::MpiWorkshop {
     write("crossing.poly",
           "6 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n5 0.2 0.5\n6 1.2 0.5\n5 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n5 5 6\n0\n");
   }
+  /// A square with two points to the right of it.
+  void write_outside() const {
+    write("outside.poly",
+          "6 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n5 2 0.5\n6 3 0.5\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n");
+  }
   Ran on_ranks(int ranks, const std::vector<std::string>& arguments) const {
     return MpiWorkshop::on_ranks(ranks, PARDEL_MPI_PROGRAM, arguments);
   }
@@ -135,7 +140,9 @@ TEST_F(BothPrograms, write_the_same_report_from_one_process_and_one_rank) {
       {"pipe.poly", "--interior", "refine", "--max-area", "1e-4", "--threads", "2", "--check"},
       {"pipe.poly", "--interior", "fill", "--max-area", "1e-3", "--threads", "1"},
       {"wedge.poly", "--interior", "refine", "--min-angle", "30", "--threads", "1", "--check"},
-      {"crossing.poly", "--interior", "refine", "--repair", "--threads", "1"}};
+      {"crossing.poly", "--interior", "refine", "--repair", "--threads", "1"},
+      {"outside.poly", "--interior", "refine", "--max-area", "0.01", "--threads", "1"}};
+  write_outside();
   const Json schema = Json::parse(std::ifstream(PARDEL_SOURCE "/docs/report.schema.json"));
   for (const std::vector<std::string>& arguments : runs) {
     const Json ranks = report(1, arguments);
@@ -173,6 +180,17 @@ TEST_F(BothPrograms, write_the_same_mesh_into_reports_of_several_ranks) {
     }
     EXPECT_FALSE(expected.at("x").empty());
     EXPECT_EQ(expected, found);
+  }
+}
+
+TEST_F(BothPrograms, count_points_outside_once_whatever_each_rank_reads) {
+  write_outside();
+  for (const char* reading : {"whole", "parts"}) {
+    const Ran ran = on_ranks(
+        3, {"mesh", "outside.poly", "-o", "out.pvtu", "--max-area", "1e-3", "--read", reading, "--json", "ranks.json"});
+    EXPECT_EQ(ran.exit_code, 0) << ran;
+    EXPECT_TRUE(holds(ran.err, {"pardel-mpi: outside.poly: note: 2 points are in no triangle", "'pardel convert "}));
+    EXPECT_EQ(Json::parse(read("ranks.json")).at("points_outside"), 2);
   }
 }
 
