@@ -13,7 +13,6 @@
 #include "../core/support/open_file.hpp"
 #include "domain_of_mesh.hpp"
 #include "exit_code.hpp"
-#include "problems_text.hpp"
 #include "read_geojson.hpp"
 #include "suffix.hpp"
 
@@ -115,7 +114,8 @@ Result<ValidPslg, Refusal> validated(Domain domain, const ValidateOptions& optio
   return std::move(valid).value();
 }
 
-Result<MaybeRepaired, Refusal> validated_or_repaired(Domain domain, const RepairOptions& options, int threads) {
+Result<MaybeRepaired, Refusal> validated_or_repaired(Domain domain, const RepairOptions& options, int threads,
+                                                     std::string_view hull_option) {
   Result<ValidPslg, std::vector<Problem>> valid =
       validate(std::move(domain.pslg), {.convex_hull = options.convex_hull, .threads = threads});
   if (valid && options.snap == 0.0) return MaybeRepaired{std::move(valid).value(), std::nullopt, {}, {}};
@@ -123,7 +123,7 @@ Result<MaybeRepaired, Refusal> validated_or_repaired(Domain domain, const Repair
   if (!repaired && repaired.error().kind == ErrorKind::usage) return Refusal(repaired.error());
   if (!repaired && valid) return Refusal(with_name(repaired.error(), domain.name));
   if (valid && repaired->log.empty()) return MaybeRepaired{std::move(repaired->domain), std::nullopt, {}, {}};
-  if (!repaired) return refusal_of(domain, valid.error(), repaired.error());
+  if (!repaired) return refusal_of(domain, valid.error(), repaired.error(), hull_option);
   std::vector<std::string> log;
   for (const std::string& line : repaired->log) log.push_back(fmt::format("{}: repaired: {}", domain.name, line));
   Pslg original = valid ? std::move(valid).value().pslg() : std::move(domain.pslg);
@@ -166,11 +166,12 @@ Refusal refusal_of(const Domain& domain, std::vector<Problem> problems) {
   return {std::move(error), std::move(problems), first_id};
 }
 
-Refusal refusal_of(const Domain& domain, std::vector<Problem> problems, const Error& why) {
+Refusal refusal_of(const Domain& domain, std::vector<Problem> problems, const Error& why,
+                   std::string_view hull_option) {
   const int first_id = domain.pslg.first_id.value;
   std::string text = problems_text(problems, first_id);
   if (text.find(why.message) == std::string::npos) text += "\nthe repair ends here: " + why.message;
-  text += advice(domain.pslg, problems, domain.name, true);
+  text += advice(domain.pslg, problems, domain.name, true, hull_option);
   return {{ErrorKind::invalid_input, domain.name + ": " + text}, std::move(problems), first_id};
 }
 

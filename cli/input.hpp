@@ -15,6 +15,7 @@
 #include "../parallel/repair.hpp"
 #include "../parallel/validate.hpp"
 #include "../parallel/warnings.hpp"
+#include "problems_text.hpp"
 #include "refusal.hpp"
 #include "size_field.hpp"
 
@@ -68,9 +69,11 @@ struct MaybeRepaired {
   std::vector<std::string> log;  ///< if repaired: one line per change, to be printed
 };
 /// Repairs the domain if it is invalid or has gaps smaller than the snapping distance. If the repair fails, its error
-/// is the refusal of a valid domain; for an invalid one the refusal has one line per problem, too.
+/// is the refusal of a valid domain; for an invalid one the refusal has one line per problem, too. `hull_option`: see
+/// advice().
 [[nodiscard]] Result<MaybeRepaired, Refusal> validated_or_repaired(Domain domain, const RepairOptions& options,
-                                                                   int threads = 1);
+                                                                   int threads = 1,
+                                                                   std::string_view hull_option = option_of_hull);
 
 /// Validates the domain, or repairs it if `repair` is true.
 [[nodiscard]] Result<MaybeRepaired, Refusal> valid_domain(Domain domain, bool repair, const RepairOptions& options,
@@ -87,7 +90,8 @@ std::vector<Warning> print_warnings(const ValidPslg& domain, const std::string& 
 /// command or an option can help, the message names it.
 [[nodiscard]] Refusal refusal_of(const Domain& domain, std::vector<Problem> problems);
 /// The same after a repair that failed for the reason `why`, which the message also states.
-[[nodiscard]] Refusal refusal_of(const Domain& domain, std::vector<Problem> problems, const Error& why);
+[[nodiscard]] Refusal refusal_of(const Domain& domain, std::vector<Problem> problems, const Error& why,
+                                 std::string_view hull_option = option_of_hull);
 
 /// Puts the name of the input before the message of an error in the input. Other errors do not change.
 [[nodiscard]] Error with_name(const Error& error, const std::string& name);

@@ -46,7 +46,8 @@ std::string problems_text(std::span<const Problem> problems, int first_id) {
   return text;
 }
 
-std::string advice(const Pslg& pslg, std::span<const Problem> problems, const std::string& file, bool repair_failed) {
+std::string advice(const Pslg& pslg, std::span<const Problem> problems, const std::string& file, bool repair_failed,
+                   std::string_view hull_option) {
   std::string text = repeated_loops(pslg, problems);
   const bool repairable = std::ranges::all_of(problems, [](const Problem& p) { return is_repairable(p.kind); });
   const bool open =
@@ -56,7 +57,7 @@ std::string advice(const Pslg& pslg, std::span<const Problem> problems, const st
         "\n'pardel mesh --repair' repairs such problems; 'pardel doctor {} --repair FIXED.poly' writes the repaired "
         "domain",
         file);
-  if (open) text += "\n--convex-hull meshes the convex hull of the points; it needs no closed outline";
+  if (open) text += fmt::format("\n{} meshes the convex hull of the points; it needs no closed outline", hull_option);
   return text;
 }
 

@@ -30,7 +30,7 @@ Result<TriangleInput> read_domain_of(const TriangleSwitches& switches) {
 
   const bool convex_hull = switches.convex_hull || !switches.poly;
   Result<MaybeRepaired, Refusal> valid =
-      validated_or_repaired(std::move(*domain), {.snap = 0, .convex_hull = convex_hull});
+      validated_or_repaired(std::move(*domain), {.snap = 0, .convex_hull = convex_hull}, 1, "the switch c");
   if (!valid) return valid.error().error;
   for (const std::string& line : valid->log) {
     if (!switches.quiet) warn(line);

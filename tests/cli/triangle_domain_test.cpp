@@ -109,6 +109,15 @@ TEST_F(TriangleCommand, an_outline_that_is_not_closed_is_warned_about_without_Q)
   EXPECT_EQ(pardel({"triangle", "-Qp", "f"}).err, "");
 }
 
+TEST_F(TriangleCommand, an_open_outline_is_refused_with_advice_that_names_the_switch_c) {
+  write("f.poly", "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n3 0\n1 1 2\n2 2 3\n3 3 4\n0\n");
+  const Ran ran = pardel({"triangle", "-pq", "f"});
+  EXPECT_EQ(ran.exit_code, 3) << ran;
+  EXPECT_TRUE(holds(ran.err, {"f.poly: No outline is closed", "the switch c meshes the convex hull"}));
+  EXPECT_EQ(ran.err.find("--"), std::string::npos) << "no option of another command";
+  EXPECT_EQ(pardel({"triangle", "-pqc", "f"}).exit_code, 0);
+}
+
 TEST_F(TriangleCommand, regions_are_used_and_written_only_with_A_or_a) {
   const auto sections = [&](const std::string& switches) {
     ends_well(switches, "b");
