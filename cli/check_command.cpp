@@ -43,13 +43,14 @@ struct CheckArguments {
 struct CheckInput {
   ValidPslg domain;
   Mesh mesh;
+  MeshFormat format;
   Goal goal;
 };
 
 /// What a format has no place for cannot be compared with the domain. A .2dm and a .gr3 have one attribute, a height or
 /// depth, also if the domain has none or several. The boundaries of a .gr3 have kinds instead of markers, and segments
 /// inside the domain are missing.
-void leave_out_what_means_something_else(std::optional<MeshFormat> format, const Pslg& domain, Mesh& mesh) {
+void leave_out_what_means_something_else(MeshFormat format, const Pslg& domain, Mesh& mesh) {
   const bool has_heights = format == MeshFormat::two_dm || format == MeshFormat::gr3;
   if (has_heights && domain.attributes_per_point != 1) {
     mesh.attributes_per_point = 0;
@@ -66,15 +67,16 @@ Result<CheckInput, Refusal> read(const CheckArguments& arguments, ProgressBar& b
   Result<ValidPslg, Refusal> domain = validated(std::move(*read), {.convex_hull = arguments.goal.convex_hull});
   if (!domain) return domain.error();
   bar.begin("reading " + arguments.mesh.string());
-  Result<Mesh> mesh = read_mesh(arguments.mesh);
-  if (!mesh) return Refusal(mesh.error());
-  note_beside_mesh(*mesh, arguments.mesh, ", which the check does not use");
-  leave_out_what_means_something_else(mesh_format(arguments.mesh), domain->pslg(), *mesh);
+  Result<MeshOfFile> of_file = read_mesh_and_format(arguments.mesh);
+  if (!of_file) return Refusal(of_file.error());
+  auto& [mesh, format] = *of_file;
+  note_beside_mesh(mesh, arguments.mesh, ", which the check does not use");
+  leave_out_what_means_something_else(format, domain->pslg(), mesh);
   const Result<GivenSizes> sizes = read_given_sizes(arguments.goal);
   if (!sizes) return Refusal(sizes.error());
   Result<Goal> goal = make_goal(arguments.goal, *sizes, *domain);
   if (!goal) return Refusal(goal.error());
-  return CheckInput{std::move(*domain), std::move(*mesh), std::move(*goal)};
+  return CheckInput{std::move(*domain), std::move(mesh), format, std::move(*goal)};
 }
 
 /// The file with the coordinates of the mesh.
@@ -82,13 +84,12 @@ std::filesystem::path file_of_points(std::filesystem::path mesh) {
   return mesh.extension() == ".ele" ? mesh.replace_extension(".node") : mesh;
 }
 
-void print(const CheckArguments& arguments, const Mesh& mesh, const Certificate& certificate) {
+void print(const CheckArguments& arguments, const CheckInput& input, const Certificate& certificate) {
   print_certificate(certificate, arguments.json, arguments.max_circumradius);
-  if (are_input_points_rounded(certificate, mesh)) {
-    const bool is_msh = mesh_format(arguments.mesh) == MeshFormat::msh;
+  if (are_input_points_rounded(certificate, input.mesh)) {
     fmt::print("hint    vertices differ from input points by rounding only: {} has too few digits{}\n",
                file_of_points(arguments.mesh).string(),
-               is_msh ? ". Gmsh writes exact coordinates with -bin -format msh41" : "");
+               input.format == MeshFormat::msh ? ". Gmsh writes exact coordinates with -bin -format msh41" : "");
   }
 }
 
@@ -116,7 +117,7 @@ Result<ExitCode> run(const CheckArguments& arguments) {
   const Certificate certificate = check(input->domain.pslg(), input->mesh, input->goal, options);
   bar.finish();
   if (Status sized = require_sizes(input->mesh, input->goal, certificate); !sized) return sized.error();
-  if (!arguments.quiet && !is_standard_output(arguments.json)) print(arguments, input->mesh, certificate);
+  if (!arguments.quiet && !is_standard_output(arguments.json)) print(arguments, *input, certificate);
   if (!arguments.json.empty()) {
     if (Status written = write_text(to_json(certificate) + "\n", arguments.json); !written) return written.error();
   }

@@ -68,7 +68,7 @@ nlohmann::ordered_json to_json(const Domain& domain, const Findings& findings) {
                                  {"points_outside", nullptr},
                                  {"repaired", nullptr},
                                  {"gaps", gaps_json(gaps, domain.pslg.first_id.value)}};
-  for (const Problem& problem : problems) json["problems"].push_back(problem_json(problem, domain.pslg.first_id.value));
+  for (const Problem& problem : problems) json["problems"].push_back(problem_json({problem, numbers_of(domain)}));
   if (outside) json["points_outside"] = outside->count;
   if (repaired) {
     const Pslg& pslg = repaired->domain.pslg();
@@ -88,7 +88,7 @@ void print(const DoctorArguments& arguments, const Domain& domain, const Finding
              plural(pslg.regions.size(), "region"));
   fmt::print("{}\n", problems.empty() ? "no problem" : plural(problems.size(), "problem"));
   for (const Problem& problem : problems)
-    fmt::print("  {}: {}\n", name(problem.kind), problem.message(domain.pslg.first_id.value));
+    fmt::print("  {}: {}\n", name(problem.kind), problem.message(numbers_of(domain)));
   const std::string help = repaired || problems.empty() ? "" : advice(pslg, problems, domain.name, asked_for_repair);
   if (!help.empty()) fmt::print("{}\n", help.substr(1));
   if (!repaired) return;

@@ -60,26 +60,15 @@ Pslg outline_of(const Mesh& mesh) {
   return outline;
 }
 
-/// The numbers of the points that the problem is about become those in the file of the mesh, less that of its first
-/// point, which messages add. A segment has no number in the file, and one too large for an Index is not used.
-void use_numbers_of_file(const Mesh& mesh, Problem& problem) {
-  const bool of_points = problem.kind == ProblemKind::duplicate_points;
-  const std::size_t n = of_points ? problem.ids.size() : problem.kind == ProblemKind::point_on_segment ? 1 : 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::uint64_t number = number_in_file(mesh, problem.ids[i]) - static_cast<unsigned>(mesh.first_id.value);
-    if (number < no_index) problem.ids[i] = static_cast<Index>(number);
-  }
-}
-
-/// The problems of the outline, with the numbers that its points have in the file of the mesh.
+/// The problems of the outline, with the numbers that its points have in the file of the mesh. Edges have none.
 Error with_numbers_of(const Mesh& mesh, const Error& of_outline) {
   Pslg all;
   all.points.assign(mesh.points.begin(), mesh.points.end());
   all.segments = boundary(mesh);
-  std::vector<Problem> problems = find_problems(all, {.convex_hull = true});
+  const std::vector<Problem> problems = find_problems(all, {.convex_hull = true});
   if (problems.empty()) return of_outline;
-  for (Problem& problem : problems) use_numbers_of_file(mesh, problem);
-  return {ErrorKind::invalid_input, messages(problems, mesh.first_id.value)};
+  return {ErrorKind::invalid_input,
+          messages(problems, NumbersInMessages{mesh.first_id.value, mesh.numbers.of_points, all.segments})};
 }
 
 /// A point in each hole. Triangulates the convex hull of the outline. A face that lies to the right of an outline edge

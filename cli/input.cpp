@@ -60,25 +60,27 @@ Result<Domain> read_domain(const fs::path& file) {
   return Domain{std::move(*pslg), file.string()};
 }
 
-Result<Pslg> domain_with(const fs::path& file, const Mesh& mesh) {
+Result<DomainOfMesh> domain_with(const fs::path& file, const Mesh& mesh) {
   const fs::path poly = fs::path(file).replace_extension(".poly");
   const bool triangle_files = file.extension() == ".node" || file.extension() == ".ele";
   std::error_code ignored;
   if (triangle_files && fs::exists(poly, ignored)) {
     Result<Pslg> pslg = read_pslg(poly);
-    if (!pslg || pslg->points.size() == mesh.points.size()) return pslg;
+    if (!pslg) return pslg.error();
+    if (pslg->points.size() == mesh.points.size()) return DomainOfMesh{std::move(*pslg)};
   }
   Result<Pslg> domain = domain_of(mesh);
   if (!domain) return with_name(domain.error(), file.string());
-  return domain;
+  return DomainOfMesh{std::move(*domain), true};
 }
 
 Result<CoarseMesh> read_coarse_mesh(const fs::path& file) {
   Result<Mesh> mesh = read_mesh(file);
   if (!mesh) return mesh.error();
-  Result<Pslg> pslg = domain_with(file, *mesh);
-  if (!pslg) return pslg.error();
-  CoarseMesh coarse{std::move(*mesh), {}, {std::move(*pslg), file.string()}};
+  Result<DomainOfMesh> domain = domain_with(file, *mesh);
+  if (!domain) return domain.error();
+  CoarseMesh coarse{std::move(*mesh), {}, {std::move(domain->pslg), file.string(), {}, domain->is_outline}};
+  coarse.domain.points = coarse.mesh.numbers;
   adopt_segments(coarse);
   const fs::path area = fs::path(file).replace_extension(".area");
   std::error_code ignored;
@@ -159,20 +161,26 @@ std::vector<Warning> print_warnings(const ValidPslg& domain, const std::string& 
   return warnings;
 }
 
-Refusal refusal_of(const Domain& domain, std::vector<Problem> problems) {
-  const int first_id = domain.pslg.first_id.value;
-  Error error{ErrorKind::invalid_input, domain.name + ": " + problems_text(problems, first_id) +
-                                            advice(domain.pslg, problems, domain.name, false)};
-  return {std::move(error), std::move(problems), first_id};
+NumbersInMessages numbers_of(const Domain& domain) {
+  NumbersInMessages numbers{domain.pslg.first_id.value, domain.points.of_points};
+  if (domain.is_outline_of_mesh) numbers.unnumbered = domain.pslg.segments;
+  return numbers;
 }
 
-Refusal refusal_of(const Domain& domain, std::vector<Problem> problems, const Error& why,
+Refusal refusal_of(const Domain& domain, std::span<const Problem> problems) {
+  const NumbersInMessages numbers = numbers_of(domain);
+  Error error{ErrorKind::invalid_input, domain.name + ": " + problems_text(problems, numbers) +
+                                            advice(domain.pslg, problems, domain.name, false)};
+  return {std::move(error), problems, numbers};
+}
+
+Refusal refusal_of(const Domain& domain, std::span<const Problem> problems, const Error& why,
                    std::string_view hull_option) {
-  const int first_id = domain.pslg.first_id.value;
-  std::string text = problems_text(problems, first_id);
+  const NumbersInMessages numbers = numbers_of(domain);
+  std::string text = problems_text(problems, numbers);
   if (text.find(why.message) == std::string::npos) text += "\nthe repair ends here: " + why.message;
   text += advice(domain.pslg, problems, domain.name, true, hull_option);
-  return {{ErrorKind::invalid_input, domain.name + ": " + text}, std::move(problems), first_id};
+  return {{ErrorKind::invalid_input, domain.name + ": " + text}, problems, numbers};
 }
 
 Error with_name(const Error& error, const std::string& name) {

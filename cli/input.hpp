@@ -27,17 +27,26 @@ namespace pardel::cli {
 /// A Pslg as read, not validated.
 struct Domain {
   Pslg pslg;
-  std::string name;  ///< the name of the file
+  std::string name;                 ///< the name of the file
+  NumbersInFile points{};           ///< of a mesh, as Mesh::numbers
+  bool is_outline_of_mesh = false;  ///< the segments are edges of a mesh, and have no numbers
 };
+/// The numbers in the file, for messages. They refer to the domain.
+[[nodiscard]] NumbersInMessages numbers_of(const Domain& domain);
 [[nodiscard]] Result<Domain> read_domain(const std::filesystem::path& file);
 
 /// False if the point section of the .poly is empty; the points are then in the .node file of the same name.
 [[nodiscard]] bool has_own_points(const std::filesystem::path& poly);
 
+/// A domain of a mesh.
+struct DomainOfMesh {
+  Pslg pslg;
+  bool is_outline = false;  ///< it was made of the mesh
+};
 /// The domain of a mesh that was read from `file`. If the mesh is in Triangle's files and a .poly of the same name
 /// exists with as many points as the mesh, this .poly is the domain. Otherwise the domain is made of the mesh's
 /// constrained edges and boundary.
-[[nodiscard]] Result<Pslg> domain_with(const std::filesystem::path& file, const Mesh& mesh);
+[[nodiscard]] Result<DomainOfMesh> domain_with(const std::filesystem::path& file, const Mesh& mesh);
 
 /// A mesh to refine, and its domain as domain_with() returns it.
 struct CoarseMesh {
@@ -88,9 +97,9 @@ std::vector<Warning> print_warnings(const ValidPslg& domain, const std::string& 
 
 /// The problems of a domain as a refusal. The message numbers them as in the file and lists ten of each kind. If a
 /// command or an option can help, the message names it.
-[[nodiscard]] Refusal refusal_of(const Domain& domain, std::vector<Problem> problems);
+[[nodiscard]] Refusal refusal_of(const Domain& domain, std::span<const Problem> problems);
 /// The same after a repair that failed for the reason `why`, which the message also states.
-[[nodiscard]] Refusal refusal_of(const Domain& domain, std::vector<Problem> problems, const Error& why,
+[[nodiscard]] Refusal refusal_of(const Domain& domain, std::span<const Problem> problems, const Error& why,
                                  std::string_view hull_option = option_of_hull);
 
 /// Puts the name of the input before the message of an error in the input. Other errors do not change.

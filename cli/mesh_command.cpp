@@ -95,8 +95,8 @@ Result<Goal, Refusal> make_goal(const MeshArguments& arguments, const MeshInput&
 Refusal why_not_meshed(const MeshArguments& arguments, const MeshInput& input, const Error& error) {
   const auto* coarse = std::get_if<CoarseMesh>(&input.source);
   if (coarse != nullptr && error.kind == ErrorKind::invalid_input && arguments.goal.sizes.empty()) {
-    std::vector<Problem> problems = find_problems(coarse->domain.pslg, how_to_validate(arguments));
-    if (!problems.empty()) return refusal_of(coarse->domain, std::move(problems));
+    const std::vector<Problem> problems = find_problems(coarse->domain.pslg, how_to_validate(arguments));
+    if (!problems.empty()) return refusal_of(coarse->domain, problems);
   }
   return with_name(error, arguments.input.string());
 }

@@ -32,14 +32,14 @@ bool is_repairable(ProblemKind kind) {
 
 }  // namespace
 
-std::string problems_text(std::span<const Problem> problems, int first_id) {
-  if (problems.size() == 1) return problems.front().message(first_id);
+std::string problems_text(std::span<const Problem> problems, const NumbersInMessages& numbers) {
+  if (problems.size() == 1) return problems.front().message(numbers);
   std::string text = fmt::format("{} problems", problems.size());
   for (auto first = problems.begin(); first != problems.end();) {
     const auto last = std::find_if(first, problems.end(), [&](const Problem& p) { return p.kind != first->kind; });
     const auto count = static_cast<std::size_t>(last - first);
     const std::size_t listed = std::min(count, most_listed);
-    for (std::size_t i = 0; i < listed; ++i) text += "\n  " + first[static_cast<std::ptrdiff_t>(i)].message(first_id);
+    for (std::size_t i = 0; i < listed; ++i) text += "\n  " + first[static_cast<std::ptrdiff_t>(i)].message(numbers);
     if (count > listed) text += fmt::format("\n  ... and {} more ({})", count - listed, name(first->kind));
     first = last;
   }

@@ -13,7 +13,7 @@ namespace pardel::cli {
 inline constexpr std::string_view option_of_hull = "--convex-hull";
 
 /// The only problem on one line; or the number of problems, and ten of each kind on lines of their own.
-[[nodiscard]] std::string problems_text(std::span<const Problem> problems, int first_id);
+[[nodiscard]] std::string problems_text(std::span<const Problem> problems, const NumbersInMessages& numbers);
 
 /// Names loops that are given twice, and the commands and options that help, each after a line break; empty if there
 /// are none. `file`: the name of the domain. `repair_failed`: repair() was tried and cannot help. `hull_option`: what

@@ -1,6 +1,5 @@
 #include "refusal.hpp"
 
-#include <cstdint>
 #include <nlohmann/json.hpp>
 
 #include "exit_code.hpp"
@@ -9,13 +8,11 @@
 
 namespace pardel::cli {
 
-nlohmann::ordered_json problem_json(const Problem& problem, int first_id) {
-  std::vector<std::uint64_t> ids;
-  for (const Index id : problem.ids) ids.push_back(std::uint64_t{id} + static_cast<unsigned>(first_id));
+nlohmann::ordered_json problem_json(const NumberedProblem& problem) {
   return {{"kind", name(problem.kind)},
-          {"ids", ids},
+          {"ids", problem.numbers},
           {"where", {problem.where.x, problem.where.y}},
-          {"message", problem.message(first_id)}};
+          {"message", problem.message}};
 }
 
 Error refused(const Refusal& refusal, const std::filesystem::path& input, const std::filesystem::path& json) {
@@ -24,7 +21,7 @@ Error refused(const Refusal& refusal, const std::filesystem::path& input, const 
       {"schema", "pardel.error/1"},       {"version", PARDEL_VERSION},
       {"file", input.string()},           {"exit_code", static_cast<int>(exit_code(refusal.error.kind))},
       {"message", refusal.error.message}, {"problems", nlohmann::ordered_json::array()}};
-  for (const Problem& problem : refusal.problems) text["problems"].push_back(problem_json(problem, refusal.first_id));
+  for (const NumberedProblem& problem : refusal.problems) text["problems"].push_back(problem_json(problem));
   if (Status written = write_text(json_text(text), json); !written) return written.error();
   return refusal.error;
 }

@@ -74,7 +74,8 @@ Result<TriangleInput> read_mesh_of(const TriangleSwitches& switches) {
   if (!holes) return holes.error();
   Result<Pslg> pslg = domain_of(*mesh);
   if (!pslg) return with_name(pslg.error(), ele);
-  CoarseMesh coarse{std::move(*mesh), {}, {std::move(*pslg), ele}};
+  CoarseMesh coarse{std::move(*mesh), {}, {std::move(*pslg), ele, {}, true}};
+  coarse.domain.points = coarse.mesh.numbers;
   adopt_segments(coarse);
   if (switches.area_caps) {
     if (Status read = read_caps(coarse, switches.name + ".area"); !read) return read.error();

@@ -77,6 +77,12 @@ enum class MeshFormat : std::uint8_t { msh, off, svg, vtu, vtk, two_dm, gr3, inp
 ///                have the marker 1, those of open boundary k have 1 + k. A file may end after the elements.
 /// In .msh and .vtu triangles may have six nodes and lines three, as in an .ele.
 [[nodiscard]] Result<Mesh> read_mesh(const std::filesystem::path& file);
+struct MeshOfFile {
+  Mesh mesh;
+  MeshFormat format;  ///< also of a file without a suffix; of a .pvtu that of its pieces
+};
+/// The same, and the format.
+[[nodiscard]] Result<MeshOfFile> read_mesh_and_format(const std::filesystem::path& file);
 
 /// Reads a domain or a mesh. A .poly is a domain, and so is a .node without an .ele of the same name. A file without a
 /// suffix is a .poly unless it begins like a mesh.

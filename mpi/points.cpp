@@ -16,7 +16,7 @@ Error fault_of_points(const Error& error, const std::filesystem::path& file, int
   const int first_id = points.first_id.value;
   const std::vector<pardel::Problem> problems = find_problems(std::move(points), threads, job.ranks());
   if (problems.empty()) return {error.kind, file.string() + ": " + error.message};  // the file has changed
-  return {error.kind, file.string() + ": " + cli::problems_text(problems, first_id) +
+  return {error.kind, file.string() + ": " + cli::problems_text(problems, {.base = first_id}) +
                           cli::advice({}, problems, file.string(), false)};
 }
 

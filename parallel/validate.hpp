@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,6 +39,14 @@ enum class ProblemKind : std::uint8_t {
 /// The enumerator as text: "duplicate_points".
 [[nodiscard]] const char* name(ProblemKind kind);
 
+/// How messages name points, segments, holes and regions.
+struct NumbersInMessages {
+  int base = 0;                             ///< the number of the first one: usually Pslg::first_id.value
+  std::span<const std::uint64_t> points{};  ///< if not empty, the numbers of the points, instead of those from base on
+  /// If not empty, the segments, which have no numbers: messages name their ends, "3-7".
+  std::span<const Segment> unnumbered{};
+};
+
 struct Problem {
   ProblemKind kind;
   /// The points, segments, holes or regions concerned, counted from 0. The kind determines which of them:
@@ -48,10 +57,14 @@ struct Problem {
   /// One sentence with ids and coordinates. `base` is the id that the message gives to the first point, segment, hole
   /// or region: usually Pslg::first_id.value.
   [[nodiscard]] std::string message(int base = 0) const;
+  [[nodiscard]] std::string message(const NumbersInMessages& numbers) const;
+  /// The numbers in the message, in the order of `ids`: two for a segment that has none itself.
+  [[nodiscard]] std::vector<std::uint64_t> numbers_of_ids(const NumbersInMessages& numbers) const;
 };
 
 /// The messages of several problems, one per line.
 [[nodiscard]] std::string messages(const std::vector<Problem>& problems, int base = 0);
+[[nodiscard]] std::string messages(const std::vector<Problem>& problems, const NumbersInMessages& numbers);
 
 struct ValidateOptions {
   /// The domain is the convex hull of the points. An unclosed outline is then no problem. A Pslg without segments

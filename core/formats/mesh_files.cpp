@@ -81,19 +81,29 @@ void files::set_regions(Mesh& mesh, std::span<const double> attributes) {
 }
 
 Result<Mesh> read_mesh(const fs::path& file) {
+  Result<MeshOfFile> read = read_mesh_and_format(file);
+  if (!read) return read.error();
+  return std::move(read->mesh);
+}
+
+Result<MeshOfFile> read_mesh_and_format(const fs::path& file) {
   std::optional<MeshFormat> format = mesh_format(file);
-  if (format == MeshFormat::triangle) return read_triangle_mesh(file);
-  if (file.extension() == ".pvtu") return read_pvtu(file);
+  const auto of = [](MeshFormat which, Result<Mesh> mesh) -> Result<MeshOfFile> {
+    if (!mesh) return mesh.error();
+    return MeshOfFile{std::move(*mesh), which};
+  };
+  if (format == MeshFormat::triangle) return of(*format, read_triangle_mesh(file));
+  if (file.extension() == ".pvtu") return of(MeshFormat::vtu, read_pvtu(file));
   if (format == MeshFormat::svg || format == MeshFormat::inp || (!format && file.has_extension()))
     return unknown_suffix(file, ".node, .ele, .msh, .vtu, .pvtu, .off, .vtk, .2dm, .gr3 and .14");
   if (std::error_code ignored;
       format == MeshFormat::msh && !fs::exists(file, ignored) && fs::exists(msh_of_piece(file, 1), ignored))
-    return read_msh_pieces(file);
+    return of(*format, read_msh_pieces(file));
   const auto text = read_file(file);
   if (!text) return text.error();
   if (!format) format = format_of_text(*text);
   if (!format) return not_a_mesh(file);
-  return parse_mesh(*format, *text, file.string());
+  return of(*format, parse_mesh(*format, *text, file.string()));
 }
 
 Result<std::variant<Pslg, Mesh>> read_pslg_or_mesh(const fs::path& file) {

@@ -12,8 +12,12 @@
 namespace pardel::engine {
 namespace {
 
-Error bad_mesh(TriangleId id, const char* what) {
-  return {ErrorKind::invalid_input, "triangle " + std::to_string(id) + " of the mesh " + what};
+/// Names the triangle, and its corners as in the file of the mesh: not every file numbers triangles.
+Error bad_mesh(const Mesh& mesh, TriangleId id, const char* what) {
+  const auto corner = [&](int i) { return std::to_string(number_in_file(mesh, mesh.triangles[id].v[i])); };
+  return {ErrorKind::invalid_input,
+          "triangle " + std::to_string(std::uint64_t{id} + static_cast<unsigned>(mesh.first_id.value)) +
+              " of the mesh (vertices " + corner(0) + ", " + corner(1) + ", " + corner(2) + ") " + what};
 }
 
 /// The side of `triangle` that runs from `from` to `to`, or 3 if there is none.
@@ -29,16 +33,17 @@ Status link_neighbours(const Mesh& mesh, Triangulation& t, SparseAsk& ask) {
     ask();
     const Triangle& triangle = mesh.triangles[id];
     for (const Index v : triangle.v)
-      if (v >= mesh.points.size()) return bad_mesh(id, "names a vertex that does not exist");
+      if (v >= mesh.points.size()) return bad_mesh(mesh, id, "names a vertex that does not exist");
     if (!(orient2d(mesh.points[triangle.v[0]], mesh.points[triangle.v[1]], mesh.points[triangle.v[2]]) > 0))
-      return bad_mesh(id, "is not positively oriented");
+      return bad_mesh(mesh, id, "is not positively oriented");
     Slot slot{triangle.v, {}};
     for (unsigned side = 0; side < 3; ++side) {
       const Index other = triangle.n[side];
       if (other == no_index) continue;
-      if (other >= mesh.triangles.size()) return bad_mesh(id, "names a neighbour that does not exist");
+      if (other >= mesh.triangles.size()) return bad_mesh(mesh, id, "names a neighbour that does not exist");
       const unsigned back = side_between(mesh.triangles[other], slot.to(side), slot.from(side));
-      if (back == 3 || mesh.triangles[other].n[back] != id) return bad_mesh(id, "has a neighbour that does not agree");
+      if (back == 3 || mesh.triangles[other].n[back] != id)
+        return bad_mesh(mesh, id, "has a neighbour that does not agree");
       slot.n[side] = EdgeRef(other, back);
     }
     t.slots.push_back(slot);

@@ -35,15 +35,60 @@ constexpr auto kind_names = enum_names<ProblemKind>({
 
 std::string text(Point p) { return "(" + shortest(p.x) + ", " + shortest(p.y) + ")"; }
 
-/// The ids as text: "3, 5, 8", "3 and 5" or "3". If there are more than eight, only the first eight.
-std::string list(const std::vector<Index>& ids, int base) {
-  constexpr std::size_t most = 8;
-  std::string result;
-  for (std::size_t i = 0; i < ids.size() && i < most; ++i) {
-    if (i > 0) result += ids.size() == 2 ? " and " : ", ";
-    result += std::to_string(static_cast<long long>(ids[i]) + base);
+enum class Thing : std::uint8_t { point, segment, other };
+
+/// What the id at a place in Problem::ids is the index of.
+Thing thing(ProblemKind kind, std::size_t place) {
+  switch (kind) {
+    case ProblemKind::non_finite_coordinate:
+    case ProblemKind::coordinate_out_of_range:
+    case ProblemKind::duplicate_points:
+      return Thing::point;
+    case ProblemKind::index_out_of_range:
+    case ProblemKind::zero_length_segment:
+    case ProblemKind::duplicate_segments:
+    case ProblemKind::crossing_segments:
+    case ProblemKind::overlapping_segments:
+      return Thing::segment;
+    case ProblemKind::point_on_segment:
+      return place == 0 ? Thing::point : Thing::segment;
+    case ProblemKind::hole_on_segment:
+    case ProblemKind::region_on_segment:
+      return place == 0 ? Thing::other : Thing::segment;
+    default:
+      return Thing::other;
   }
-  return ids.size() > most ? result + ", ..." : result;
+}
+
+std::uint64_t number(Index id, const NumbersInMessages& numbers, bool is_point) {
+  if (is_point && id < numbers.points.size()) return numbers.points[id];
+  return std::uint64_t{id} + static_cast<unsigned>(numbers.base);
+}
+
+/// The number of the thing, or those of the ends of a segment that has none.
+std::vector<std::uint64_t> numbers_at(const Problem& problem, std::size_t place, const NumbersInMessages& numbers) {
+  const Index id = problem.ids[place];
+  const Thing what = thing(problem.kind, place);
+  if (what != Thing::segment || id >= numbers.unnumbered.size()) return {number(id, numbers, what == Thing::point)};
+  const Segment& segment = numbers.unnumbered[id];
+  return {number(segment.a, numbers, true), number(segment.b, numbers, true)};
+}
+
+/// The number at a place, or "3-7" for a segment without a number; nothing if there is no such place.
+std::string one(const Problem& problem, std::size_t place, const NumbersInMessages& numbers) {
+  if (place >= problem.ids.size()) return {};
+  const std::vector<std::uint64_t> found = numbers_at(problem, place, numbers);
+  return std::to_string(found[0]) + (found.size() > 1 ? "-" + std::to_string(found[1]) : "");
+}
+
+/// All of them as text: "3, 5, 8", "3 and 5" or "3". If there are more than eight, only the first eight.
+std::string list(const Problem& problem, const NumbersInMessages& numbers) {
+  constexpr std::size_t most = 8;
+  const std::size_t n = problem.ids.size();
+  std::string result;
+  for (std::size_t i = 0; i < n && i < most; ++i)
+    result += (i == 0 ? "" : n == 2 ? " and " : ", ") + one(problem, i, numbers);
+  return n > most ? result + ", ..." : result;
 }
 
 /// The message for a hole or a region that is in no face. If its coordinates are usable, the reason is `otherwise`.
@@ -55,9 +100,20 @@ std::string outside(const std::string& what, Point where, const char* otherwise)
 
 const char* name(ProblemKind kind) { return kind_names[kind]; }
 
-std::string Problem::message(int base) const {
-  const std::string id = list(ids, base), at = text(where);
-  const auto one = [&](std::size_t i) { return i < ids.size() ? list({ids[i]}, base) : std::string(); };
+std::string Problem::message(int base) const { return message(NumbersInMessages{.base = base}); }
+
+std::vector<std::uint64_t> Problem::numbers_of_ids(const NumbersInMessages& numbers) const {
+  std::vector<std::uint64_t> all;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const std::vector<std::uint64_t> found = numbers_at(*this, i, numbers);
+    all.insert(all.end(), found.begin(), found.end());
+  }
+  return all;
+}
+
+std::string Problem::message(const NumbersInMessages& numbers) const {
+  const std::string id = list(*this, numbers), at = text(where);
+  const auto one = [&](std::size_t place) { return pardel::one(*this, place, numbers); };
   switch (kind) {
     case ProblemKind::non_finite_coordinate:
       return "Point " + id + " at " + at + " has a coordinate that is not a finite number.";
@@ -108,8 +164,12 @@ std::string Problem::message(int base) const {
 }
 
 std::string messages(const std::vector<Problem>& problems, int base) {
+  return messages(problems, NumbersInMessages{.base = base});
+}
+
+std::string messages(const std::vector<Problem>& problems, const NumbersInMessages& numbers) {
   std::string lines;
-  for (const Problem& problem : problems) lines += (lines.empty() ? "" : "\n") + problem.message(base);
+  for (const Problem& problem : problems) lines += (lines.empty() ? "" : "\n") + problem.message(numbers);
   return lines;
 }
 

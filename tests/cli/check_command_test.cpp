@@ -36,6 +36,15 @@ TEST_F(CheckCommand, the_certificate_is_written_as_json) {
   EXPECT_EQ(json::parse(read("c.json")), certificate);
 }
 
+TEST_F(CheckCommand, takes_the_heights_of_a_2dm_for_no_attributes_also_on_standard_input) {
+  // Two attributes; a .2dm has the first one as height, and no place for the other.
+  write("bed.poly", "4 2 2 0\n1 0 0 5 6\n2 1 0 5 6\n3 1 1 7 8\n4 0 1 9 1\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n");
+  ASSERT_EQ(pardel({"mesh", "bed.poly", "-o", "bed.2dm"}).exit_code, 0);
+  EXPECT_EQ(pardel({"check", "bed.poly", "bed.2dm"}).exit_code, 0);
+  const Ran ran = pardel({"check", "bed.poly", "-"}, {.in_file = "bed.2dm"});
+  EXPECT_EQ(ran.exit_code, 0) << ran;
+}
+
 TEST_F(CheckCommand, the_number_of_threads_changes_nothing) {
   const auto certificate = [&](const char* threads) {
     return pardel({"check", "square.poly", "m.ele", "--threads", threads, "--json", "-"}).out;
