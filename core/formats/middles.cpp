@@ -34,19 +34,21 @@ Middles middles_of(const Mesh& mesh) {
   Middles middles{std::move(table.edges), std::move(table.edge_of_side), {}};
   const std::vector<ConstrainedEdge>& lines = mesh.constrained_edges;
   middles.of_line.resize(lines.size(), no_index);
-  std::vector<Index> sorted(lines.size());
-  std::iota(sorted.begin(), sorted.end(), Index{0});
-  const auto ends = [&](Index line) { return std::pair(std::minmax(lines[line].a, lines[line].b)); };
-  std::ranges::sort(sorted, {}, ends);
-  for (Index e = 0; e < middles.edges.size(); ++e) {
-    const auto key = std::pair(std::minmax(middles.edges[e].a, middles.edges[e].b));
-    auto line = std::ranges::lower_bound(sorted, key, {}, ends);
-    for (; line != sorted.end() && ends(*line) == key; ++line) middles.of_line[*line] = e;
-  }
-  for (Index line = 0; line < lines.size(); ++line) {  // constrained edges that are no edges of triangles
-    if (middles.of_line[line] != no_index) continue;
-    middles.of_line[line] = static_cast<Index>(middles.edges.size());
-    middles.edges.push_back({lines[line].a, lines[line].b, lines[line].marker});
+  const ConstrainedEdgeIndex index(mesh);
+  // The same for all lines with these ends.
+  const auto middle_of = [&](Index a, Index b) -> Index* {
+    const ConstrainedEdge* line = index.find(a, b);
+    return line == nullptr ? nullptr : &middles.of_line[static_cast<std::size_t>(line - lines.data())];
+  };
+  for (Index e = 0; e < middles.edges.size(); ++e)
+    if (Index* const middle = middle_of(middles.edges[e].a, middles.edges[e].b)) *middle = e;
+  for (Index line = 0; line < lines.size(); ++line) {
+    Index& middle = *middle_of(lines[line].a, lines[line].b);
+    if (middle == no_index) {  // no edge of a triangle
+      middle = static_cast<Index>(middles.edges.size());
+      middles.edges.push_back({lines[line].a, lines[line].b, lines[line].marker});
+    }
+    middles.of_line[line] = middle;
   }
   return middles;
 }

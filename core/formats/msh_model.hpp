@@ -75,37 +75,48 @@ template <class GroupOf>
   return gathered;
 }
 
-/// Blocks of $Elements. `tags`: tags.node(v), tags.line(i) and tags.triangle(t) are the tags of things of the mesh.
+/// A block of $Elements, of one type. row(i) is an array: the tag of the element of a thing, and the tags of its nodes.
+template <class Row>
+void write_element_block(MshRows& out, int dimension, int entity, int type, std::span<const Index> things,
+                         const Row& row) {
+  if (things.empty()) return;
+  out.row(dimension, entity, type, things.size());
+  out.rows(things.size(), [&](std::size_t i) { return row(things[i]); });
+}
+/// Blocks of first order. `tags`: tags.node(v), tags.line(i) and tags.triangle(t) are the tags of things of the mesh.
 template <class Tags>
 void write_line_block(MshRows& out, int entity, std::span<const Index> lines, const Mesh& mesh, const Tags& tags) {
-  if (lines.empty()) return;
-  out.row(1, entity, msh_line, lines.size());
-  out.rows(lines.size(), [&](std::size_t i) {
-    const ConstrainedEdge& e = mesh.constrained_edges[lines[i]];
-    return std::array<std::size_t, 3>{tags.line(lines[i]), tags.node(e.a), tags.node(e.b)};
+  write_element_block(out, 1, entity, msh_line, lines, [&](Index line) {
+    const ConstrainedEdge& e = mesh.constrained_edges[line];
+    return std::array<std::size_t, 3>{tags.line(line), tags.node(e.a), tags.node(e.b)};
   });
 }
 template <class Tags>
 void write_triangle_block(MshRows& out, int entity, std::span<const Index> triangles, const Mesh& mesh,
                           const Tags& tags) {
-  if (triangles.empty()) return;
-  out.row(2, entity, msh_triangle, triangles.size());
-  out.rows(triangles.size(), [&](std::size_t i) {
-    const auto& v = mesh.triangles[triangles[i]].v;
-    return std::array<std::size_t, 4>{tags.triangle(triangles[i]), tags.node(v[0]), tags.node(v[1]), tags.node(v[2])};
+  write_element_block(out, 2, entity, msh_triangle, triangles, [&](Index t) {
+    const auto& v = mesh.triangles[t].v;
+    return std::array<std::size_t, 4>{tags.triangle(t), tags.node(v[0]), tags.node(v[1]), tags.node(v[2])};
   });
 }
-/// A block of $Nodes.
+/// A block of $Nodes. tag(i) and point(i) are those of a node.
+template <class Tag, class PointOf>
+void write_node_block(MshRows& out, int dimension, int entity, std::span<const Index> nodes, const Tag& tag,
+                      const PointOf& point) {
+  if (nodes.empty()) return;
+  out.row(dimension, entity, 0, nodes.size());
+  out.rows(nodes.size(), [&](std::size_t i) { return std::array<std::size_t, 1>{tag(nodes[i])}; });
+  out.rows(nodes.size(), [&](std::size_t i) {
+    const Point p = point(nodes[i]);
+    return std::array{p.x, p.y, 0.0};
+  });
+}
+/// The same for vertices.
 template <class Tags>
 void write_node_block(MshRows& out, int dimension, int entity, std::span<const Index> points, const Mesh& mesh,
                       const Tags& tags) {
-  if (points.empty()) return;
-  out.row(dimension, entity, 0, points.size());
-  out.rows(points.size(), [&](std::size_t i) { return std::array<std::size_t, 1>{tags.node(points[i])}; });
-  out.rows(points.size(), [&](std::size_t i) {
-    const Point& p = mesh.points[points[i]];
-    return std::array{p.x, p.y, 0.0};
-  });
+  write_node_block(
+      out, dimension, entity, points, [&](Index v) { return tags.node(v); }, [&](Index v) { return mesh.points[v]; });
 }
 
 /// The section $PhysicalNames, which is text in ASCII and in binary files.

@@ -62,8 +62,7 @@ class MshReader {
       number[i] = nodes_.tag(i) - 1;
     }
     mesh_.first_id = {1};
-    if (nodes_.size() > 0 && nodes_.tag(nodes_.size() - 1) != nodes_.size())
-      for (std::size_t i = 0; i < nodes_.size(); ++i) mesh_.numbers.of_points.push_back(nodes_.tag(i));
+    mesh_.numbers = nodes_.numbers();
     if (!is_middle_.empty()) leave_out_middles(number);
     const auto has_region = [](double attribute) { return !std::isnan(attribute); };
     if (std::any_of(attributes_.begin(), attributes_.end(), has_region)) set_regions(mesh_, attributes_.span());

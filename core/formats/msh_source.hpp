@@ -8,7 +8,7 @@
 #include <string>
 
 #include "../array.hpp"
-#include "../pslg.hpp"
+#include "../mesh.hpp"
 #include "text_reader.hpp"
 
 namespace pardel::files {
@@ -85,6 +85,14 @@ class MshNodes {
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
   [[nodiscard]] const Point& operator[](std::size_t i) const { return nodes_[i].point; }
   [[nodiscard]] std::size_t tag(std::size_t i) const { return nodes_[i].tag; }
+  /// The tags, for messages; empty if they are 1, 2, 3 and so on. Precondition: sort() was called last, and repeated()
+  /// is 0.
+  [[nodiscard]] NumbersInFile numbers() const {
+    NumbersInFile all;
+    if (nodes_.size() > 0 && nodes_.back().tag != nodes_.size())
+      for (const Node& node : nodes_) all.of_points.push_back(node.tag);
+    return all;
+  }
   /// A tag that occurs twice; 0 (not a valid tag) if there is none. Precondition: sort() was called last.
   [[nodiscard]] std::size_t repeated() const {
     const auto same =

@@ -41,17 +41,6 @@ SecondOrder second_order(const Mesh& mesh, const MshModel& model) {
   return second;
 }
 
-void write_middle_block(MshRows& out, int dimension, int entity, std::span<const Index> some, const Mesh& mesh,
-                        const Middles& middles) {
-  if (some.empty()) return;
-  out.row(dimension, entity, 0, some.size());
-  out.rows(some.size(), [&](std::size_t i) { return std::array<std::size_t, 1>{tag_of_middle(mesh, some[i])}; });
-  out.rows(some.size(), [&](std::size_t i) {
-    const Point p = middles.point(mesh, some[i]);
-    return std::array{p.x, p.y, 0.0};
-  });
-}
-
 /// `second`: null for elements of first order.
 void write_nodes(MshRows& out, const MshModel& model, const Mesh& mesh, const Tags& tags, const SecondOrder* second) {
   const std::size_t points = mesh.points.size(), curves = model.curves.size(),
@@ -64,32 +53,31 @@ void write_nodes(MshRows& out, const MshModel& model, const Mesh& mesh, const Ta
   for (std::size_t e = 0; e < entities; ++e) {
     const int dimension = e < curves ? 1 : 2, tag = e < curves ? model.curves[e].tag : model.surfaces[e - curves].tag;
     write_node_block(out, dimension, tag, by_entity[e], mesh, tags);
-    if (second != nullptr) write_middle_block(out, dimension, tag, second->by_entity[e], mesh, second->middles);
+    if (second != nullptr)
+      write_node_block(
+          out, dimension, tag, second->by_entity[e], [&](Index middle) { return tag_of_middle(mesh, middle); },
+          [&](Index middle) { return second->middles.point(mesh, middle); });
   }
   out.close("Nodes");
 }
 
 void write_lines_of_3(MshRows& out, int entity, std::span<const Index> lines, const Mesh& mesh, const Tags& tags,
                       const Middles& middles) {
-  if (lines.empty()) return;
-  out.row(1, entity, msh_line_of_3, lines.size());
-  out.rows(lines.size(), [&](std::size_t i) {
-    const ConstrainedEdge& e = mesh.constrained_edges[lines[i]];
-    return std::array<std::size_t, 4>{tags.line(lines[i]), tags.node(e.a), tags.node(e.b),
-                                      tag_of_middle(mesh, middles.of_line[lines[i]])};
+  write_element_block(out, 1, entity, msh_line_of_3, lines, [&](Index line) {
+    const ConstrainedEdge& e = mesh.constrained_edges[line];
+    return std::array<std::size_t, 4>{tags.line(line), tags.node(e.a), tags.node(e.b),
+                                      tag_of_middle(mesh, middles.of_line[line])};
   });
 }
 
 void write_triangles_of_6(MshRows& out, int entity, std::span<const Index> triangles, const Mesh& mesh,
                           const Tags& tags, const Middles& middles) {
-  if (triangles.empty()) return;
-  out.row(2, entity, msh_triangle_of_6, triangles.size());
-  out.rows(triangles.size(), [&](std::size_t i) {
-    const auto& v = mesh.triangles[triangles[i]].v;
-    const auto m = middles.of_triangle(triangles[i]);
-    return std::array<std::size_t, 7>{
-        tags.triangle(triangles[i]), tags.node(v[0]),           tags.node(v[1]),          tags.node(v[2]),
-        tag_of_middle(mesh, m[0]),   tag_of_middle(mesh, m[1]), tag_of_middle(mesh, m[2])};
+  write_element_block(out, 2, entity, msh_triangle_of_6, triangles, [&](Index t) {
+    const auto& v = mesh.triangles[t].v;
+    const auto m = middles.of_triangle(t);
+    return std::array<std::size_t, 7>{tags.triangle(t),         tags.node(v[0]),           tags.node(v[1]),
+                                      tags.node(v[2]),          tag_of_middle(mesh, m[0]), tag_of_middle(mesh, m[1]),
+                                      tag_of_middle(mesh, m[2])};
   });
 }
 

@@ -158,6 +158,11 @@ std::string_view TextReader::word() {
   return token;
 }
 
+void TextReader::expect_word(std::string_view expected) {
+  if (const std::string_view found = word(); found != expected)
+    fail("expected " + std::string(expected) + ", found " + in_quotes(found));
+}
+
 std::string_view TextReader::rest_of_line() {
   if (failed_) return {};
   skip_blanks();

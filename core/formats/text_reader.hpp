@@ -60,6 +60,8 @@ class TextReader {
 
   /// Returns the next field of the line; empty if there is none.
   std::string_view word();
+  /// Reads a field that must be this word. Fails otherwise.
+  void expect_word(std::string_view expected);
   /// Returns the rest of the line, including comments.
   std::string_view rest_of_line();
   /// Reads a finite number that a double can represent.

@@ -57,7 +57,7 @@ class TwoDmReader {
   TextReader each_card(const Read& read) {
     TextReader in(text_, name_);
     in.expect_line("MESH2D");
-    if (const std::string_view word = in.word(); word != "MESH2D") in.fail("expected MESH2D, found " + in_quotes(word));
+    in.expect_word("MESH2D");
     while (in.next_line()) read(in, in.word());
     if (!in.failed()) end_nodestring(in);
     return in;
@@ -84,8 +84,7 @@ class TwoDmReader {
       mesh_.point_attributes[i] = heights_[i].second;
     }
     mesh_.first_id = {1};
-    if (nodes_.size() > 0 && nodes_.tag(nodes_.size() - 1) != nodes_.size())
-      for (std::size_t i = 0; i < nodes_.size(); ++i) mesh_.numbers.of_points.push_back(nodes_.tag(i));
+    mesh_.numbers = nodes_.numbers();
   }
 
   Index node(TextReader& in, std::int64_t id) {

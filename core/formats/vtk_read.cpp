@@ -8,11 +8,10 @@
 #include "../neighbours.hpp"
 #include "mesh_readers.hpp"
 #include "triangle_sections.hpp"
+#include "vtk_cells.hpp"
 
 namespace pardel::files {
 namespace {
-
-constexpr std::int64_t vtk_vertex = 1, vtk_line = 3, vtk_triangle = 5;
 
 class VtkReader {
  public:
@@ -45,10 +44,8 @@ class VtkReader {
     if (const std::string_view word = in_.word(); word != "ASCII")
       in_.fail("expected ASCII, found " + in_quotes(word) + "; only text files are read");
     in_.expect_line("DATASET");
-    if (const std::string_view word = in_.word(); word != "DATASET")
-      in_.fail("expected DATASET, found " + in_quotes(word));
-    if (const std::string_view word = in_.word(); word != "UNSTRUCTURED_GRID")
-      in_.fail("expected UNSTRUCTURED_GRID, found " + in_quotes(word));
+    in_.expect_word("DATASET");
+    in_.expect_word("UNSTRUCTURED_GRID");
   }
 
   void read_section(std::string_view word) {
@@ -125,8 +122,7 @@ class VtkReader {
       if (c > 0) ends_.push_back(static_cast<std::size_t>(offset));
     }
     in_.next_field();
-    if (const std::string_view word = in_.word(); word != "CONNECTIVITY")
-      in_.fail("expected CONNECTIVITY, found " + in_quotes(word));
+    in_.expect_word("CONNECTIVITY");
     in_.word();
     for (std::size_t k = 0; k < size && !in_.failed(); ++k) corners_.push_back(point_index());
   }
@@ -142,7 +138,7 @@ class VtkReader {
 
   void add_cell(std::size_t c, std::int64_t type) {
     const std::size_t begin = c == 0 ? 0 : ends_[c - 1], corners = ends_[c] - begin;
-    const std::size_t expected = type == vtk_triangle ? 3 : type == vtk_line ? 2 : type == vtk_vertex ? 1 : 0;
+    const std::size_t expected = type > vtk_triangle ? 0 : nodes_of_vtk_cell(type);  // none of order 2
     if (in_.failed()) return;
     if (expected == 0)
       return in_.fail("cell " + std::to_string(c) + " is of type " + std::to_string(type) +
@@ -195,8 +191,7 @@ class VtkReader {
     in_.word();
     const auto components = static_cast<std::size_t>(in_.integer_or("the number of components", 1, 4, 1));
     in_.expect_line("LOOKUP_TABLE");
-    if (const std::string_view word = in_.word(); word != "LOOKUP_TABLE")
-      in_.fail("expected LOOKUP_TABLE, found " + in_quotes(word));
+    in_.expect_word("LOOKUP_TABLE");
     in_.word();
     if (!of_points_) return in_.fail("expected CELL_DATA or POINT_DATA before an array");
     read_array(name, components, size_of_data());

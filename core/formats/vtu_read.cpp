@@ -17,6 +17,7 @@
 #include "middles.hpp"
 #include "text_reader.hpp"
 #include "triangle_sections.hpp"
+#include "vtk_cells.hpp"
 #include "vtu_arrays.hpp"
 
 namespace pardel::files {
@@ -112,18 +113,6 @@ class VtuMesh {
     for (std::size_t i = 0; i < mesh_.points.size(); ++i) mesh_.points[i] = {xyz[3 * i], xyz[3 * i + 1]};
   }
 
-  static constexpr std::int64_t vtk_vertex = 1, vtk_line = 3, vtk_triangle = 5, vtk_line_of_3 = 21,
-                                vtk_triangle_of_6 = 22;
-
-  /// The number of nodes of a cell, of which the corners are the first; 0 for other types.
-  static std::size_t nodes_of(std::int64_t type) {
-    if (type == vtk_triangle) return 3;
-    if (type == vtk_line) return 2;
-    if (type == vtk_triangle_of_6) return 6;
-    if (type == vtk_line_of_3) return 3;
-    return type == vtk_vertex ? 1 : 0;
-  }
-
   /// Reads the triangles at the beginning of the cells on all threads and returns their number. If one of them is
   /// wrong, it reads none.
   std::size_t read_leading_triangles(const Array<std::int64_t>& corners, const Array<std::int64_t>& ends,
@@ -159,7 +148,7 @@ class VtuMesh {
     const std::size_t leading = error_ ? 0 : read_leading_triangles(corners, ends, types);
     std::size_t first = 3 * leading;
     for (std::size_t c = leading; c < cells() && !error_; ++c) {
-      const std::size_t n = nodes_of(types[c]);
+      const std::size_t n = nodes_of_vtk_cell(types[c]);
       if (n == 0) {
         fail(*types_array, "cell " + std::to_string(c) + " is of type " + std::to_string(types[c]) +
                                ", neither a triangle (5) nor a line (3) nor a vertex (1)");

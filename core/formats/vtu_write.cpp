@@ -13,6 +13,7 @@
 #include "../support/smallest_angle.hpp"
 #include "middles.hpp"
 #include "records.hpp"
+#include "vtk_cells.hpp"
 #include "vtu_names.hpp"
 
 namespace pardel {
@@ -63,8 +64,6 @@ AppendedArray cell_array(std::string name, const Mesh& mesh, OfTriangle of_trian
           }};
 }
 
-constexpr std::uint8_t vtu_line = 3, vtu_triangle = 5, vtu_line_of_3 = 21, vtu_triangle_of_6 = 22;
-
 /// The nodes of the cells, and where they end. They are integers of type Id.
 template <class Id>
 AppendedArray connectivity(const Mesh& mesh, MaybeMiddles second) {
@@ -99,8 +98,8 @@ Section cells(const Mesh& mesh, MaybeMiddles second) {
   const auto offsets = cell_array<Id>(
       "offsets", mesh, [=](std::size_t t) { return static_cast<Id>(of_triangle * (t + 1)); },
       [=](std::size_t i) { return static_cast<Id>(of_triangle * n + of_line * (i + 1)); });
-  const std::uint8_t triangle = second == nullptr ? vtu_triangle : vtu_triangle_of_6,
-                     line = second == nullptr ? vtu_line : vtu_line_of_3;
+  const std::uint8_t triangle = second == nullptr ? vtk_triangle : vtk_triangle_of_6,
+                     line = second == nullptr ? vtk_line : vtk_line_of_3;
   const auto types = cell_array<std::uint8_t>(
       "types", mesh, [=](std::size_t) { return triangle; }, [=](std::size_t) { return line; });
   return {"Cells", {connectivity<Id>(mesh, second), offsets, types}};
