@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
 #include "../../../parallel/arithmetic/distance.hpp"
+#include "../../../parallel/arithmetic/predicates.hpp"
 #include "../samples.hpp"
 
 namespace pardel::engine {
@@ -27,6 +29,40 @@ TEST(Background, interpolates_a_linear_function_exactly_up_to_rounding) {
   for (int i = 0; i < 5000; ++i) {
     const Point p{random.uniform(0, 8), random.uniform(0, 8)};
     EXPECT_NEAR(background.interpolate(p, value), 5 * p.x - 3 * p.y + 1, 1e-12);
+  }
+}
+
+/// Corners of very different magnitudes, and points in a triangle up to rounding.
+TEST(Background, interpolates_between_the_values_at_the_corners_however_far_they_are) {
+  samples::Random random(4);
+  const auto corner = [&] {
+    return Point{std::ldexp(random.uniform(-1, 1), random.between(0, 60)),
+                 std::ldexp(random.uniform(-1, 1), random.between(0, 60))};
+  };
+  int triangles = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const std::array<Point, 3> c{corner(), corner(), corner()};
+    if (orient2d(c[0], c[1], c[2]) <= 0) continue;
+    ++triangles;
+    const Background background(c, {{0, 1, 2}});
+    const double f = random.uniform(0, 1), g = random.uniform(0, 1 - f), h = 1 - f - g;
+    const Point p{f * c[0].x + g * c[1].x + h * c[2].x, f * c[0].y + g * c[1].y + h * c[2].y};
+    const std::array<double, 3> ones{1, 1, 1};
+    EXPECT_NEAR(background.interpolate(p, ones), 1, 1e-11);
+  }
+  EXPECT_GT(triangles, 2000);
+}
+
+/// Their area is 0 in doubles, or nearly.
+TEST(Background, interpolates_in_flat_triangles) {
+  samples::Random random(5);
+  for (int i = 0; i < 5000; ++i) {
+    const double x = random.uniform(1, 2), y = random.uniform(1, 2);
+    const std::array<Point, 3> c{Point{0, 0}, {x, y}, {x / 2, std::nextafter(y / 2, 2)}};
+    const Background background(c, {{0, 1, 2}});
+    const std::array<double, 3> ones{1, 1, 1};
+    for (const double share : {0.25, 0.3, 0.5, 0.75})
+      EXPECT_NEAR(background.interpolate({share * x, share * y}, ones), 1, 1e-11);
   }
 }
 
