@@ -78,21 +78,29 @@ void SizeEnvelope::search_leaf(std::size_t leaf, Point p, double& best, Index& f
     }
 }
 
-/// Searches a part of the sources.
+/// Searches a part of the sources, nearer parts first. In another order, each of many sources on the way to p may be
+/// less than those before it.
 void SizeEnvelope::search(std::size_t node, Point p, double& best, Index& found) const {
-  std::array<std::size_t, 64> waiting;  // each level of the tree leaves one part behind
+  struct Waiting {
+    std::size_t node;
+    double squared_distance;
+  };
+  std::array<Waiting, 64> waiting;  // each level of the tree leaves one part behind
   std::size_t count = 0;
   for (;;) {
     while (node < leaves_) {
-      waiting[count++] = 2 * node + 1;
-      node = 2 * node;
-      if (!nodes_[node].may_be_less(p, best)) break;
+      Waiting near{2 * node, nodes_[2 * node].squared_distance(p)},
+          far{2 * node + 1, nodes_[2 * node + 1].squared_distance(p)};
+      if (far.squared_distance < near.squared_distance) std::swap(near, far);
+      waiting[count++] = far;
+      node = near.node;
+      if (!nodes_[node].may_be_less(near.squared_distance, best)) break;
     }
     if (node >= leaves_) search_leaf(node - leaves_, p, best, found);
     do {
       if (count == 0) return;
-      node = waiting[--count];
-    } while (!nodes_[node].may_be_less(p, best));
+      node = waiting[--count].node;
+    } while (!nodes_[node].may_be_less(waiting[count].squared_distance, best));
   }
 }
 

@@ -78,13 +78,17 @@ class SizeEnvelope {
     double least = INFINITY, slope = INFINITY;  ///< of its sources
 
     void cover(const Node& other);
-    /// False only if no length of the part at p is less than this.
-    [[nodiscard]] bool may_be_less(Point p, double length) const {
+    [[nodiscard]] double squared_distance(Point p) const {
       const double x = std::max({box.min_x - p.x, 0.0, p.x - box.max_x});
       const double y = std::max({box.min_y - p.y, 0.0, p.y - box.max_y});
-      const double to_spare = length * margin - least;
-      return to_spare > 0 && slope * slope * (x * x + y * y) < to_spare * to_spare * margin;
+      return x * x + y * y;
     }
+    /// False only if no length of the part, at this distance, is less than this.
+    [[nodiscard]] bool may_be_less(double squared_distance, double length) const {
+      const double to_spare = length * margin - least;
+      return to_spare > 0 && slope * slope * squared_distance < to_spare * to_spare * margin;
+    }
+    [[nodiscard]] bool may_be_less(Point p, double length) const { return may_be_less(squared_distance(p), length); }
   };
   static constexpr std::size_t sources_per_leaf = 2;
 

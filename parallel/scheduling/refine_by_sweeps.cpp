@@ -32,6 +32,10 @@ constexpr double long_in_finer_cells = 0.25;
 /// box of 2.25 leaves, and of four cells in a lattice.) Larger leaves hand fewer triangles on.
 constexpr double share_of_leaf = 1.0 / 128, least_per_leaf = 2.5, most_per_leaf = 11;
 
+/// If Options::max_vertices will end the refinement early, leaves that get fewer triangles than this part of a tile
+/// gain nothing.
+constexpr double least_part_of_tile = 0.25;
+
 /// The decomposition is a quadtree if the work in a cell of a lattice exceeds the average by more than this factor. If
 /// all work lies around a point where four cells of sixteen meet, the factor is 4.
 constexpr double most_overload = 3;
@@ -152,8 +156,9 @@ class Refinement {
       const Array<WorkAt> work = pending_.work(criteria_);
       const double most = allowed(work);
       for (int halvings = 0; halvings < 2; ++halvings) finer = finer.divided(per_leaf(work, finer), most);
-      if (finer.cells() == present.cells() || counts_.budget_reached) break;
+      if (finer.cells() == present.cells()) break;
       refine_due(present, short_enough_for(*present.quadtree(), finer));
+      if (counts_.budget_reached) break;
       levels.emplace_back(std::move(finer));
     }
     record_.set_finest(levels.back(), bounds, largest_radii(t_, runner_.triangles(), threads_), made());
@@ -164,12 +169,14 @@ class Refinement {
     go_up(levels);
   }
 
-  /// The number of triangles that a leaf may have.
+  /// The number of triangles that may be expected in a leaf.
   [[nodiscard]] double allowed(const Array<WorkAt>& work) const {
     double all = 0;
     for (const WorkAt& each : work) all += each.triangles;
     const double tile = options_.triangles_per_tile;
-    return std::clamp(share_of_leaf * all, least_per_leaf * tile, most_per_leaf * tile);
+    const double expected_for_each_made = all / (2 * static_cast<double>(runner_.vertices().available()));
+    return std::max(std::clamp(share_of_leaf * all, least_per_leaf * tile, most_per_leaf * tile),
+                    least_part_of_tile * tile * expected_for_each_made);
   }
 
   /// For each leaf: the rule that leaves triangles to the finer leaves in it. With the paper's quadtree, the leaves
@@ -320,6 +327,7 @@ class Refinement {
   /// blocked it. As long as a pass over the levels inserts vertices, another one tries the triangles that still wait.
   void go_up(const Levels& levels) {
     if (partners_ != nullptr) return go_up_in_excerpt(levels);
+    if (counts_.budget_reached) return;
     bool goes_on = refine_waiting(levels, levels.size() - 1) || levels.size() == 1;
     while (goes_on && pending_.any_needs_larger_box()) goes_on = refine_waiting(levels, levels.size());
   }
@@ -353,6 +361,7 @@ class Refinement {
   }
 
   void refine_due(const Tiles& tiles, const Deferrals& later) {
+    if (counts_.budget_reached) return;
     sweep_to_fixpoint(tiles, pending_.take_due_by_cell(tiles, later), later);
   }
 
@@ -399,7 +408,10 @@ class Refinement {
   std::uint64_t sweep(const Tiles& tiles, SeedsByCell& seeds, const Deferrals& later) {
     Stopwatch watch;
     Sweep done{tiles.columns(), tiles.rows()};
-    for (unsigned colour = 0; colour < tiles.colours(); ++colour) run_phase(tiles, colour, seeds, later, done);
+    for (unsigned colour = 0; colour < tiles.colours(); ++colour) {
+      if (!is_divided_ && runner_.vertices().available() == 0) break;  // tasks could only hand their triangles on
+      run_phase(tiles, colour, seeds, later, done);
+    }
     if (is_divided_) add_up(done);
     done.seconds = watch.seconds();
     record_.add_sweep(done);

@@ -87,6 +87,38 @@ TEST(ManyTiles, stop_at_the_budget_of_vertices) {
   }
 }
 
+Pslg strip(double width) {
+  Pslg pslg;
+  pslg.points = {{0, 0}, {1, 0}, {1, width}, {0, width}};
+  pslg.segments = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
+  return pslg;
+}
+
+/// A strip needs 10^8 triangles and more, but the budget ends the refinement long before. Leaves for all of them would
+/// get a few vertices each, and the sweeps over them would take longer than the refinement.
+TEST(ManyTiles, of_a_strip_are_only_as_many_as_a_budget_of_vertices_fills) {
+  for (const Goal& goal : {Goal{.feature_edges = 2}, Goal{.grading = 0.3}}) {
+    const Result<Meshed> meshed = mesh(strip(3e-8), goal, {.threads = 1, .max_vertices = 30'000});
+    ASSERT_TRUE(meshed);
+    EXPECT_EQ(meshed->mesh.points.size(), 30'000U);
+    const Tiling& tiling = meshed->report.tiling;
+    EXPECT_GE(tiling.leaves.size(), 10U) << "enough for several threads";
+    EXPECT_LE(tiling.leaves.size(), 400U);
+    EXPECT_LE(tiling.sweeps.size(), 15U);
+  }
+}
+
+TEST(ManyTiles, of_a_strip_hardly_evaluate_more_sizes_than_one_tile) {
+  const auto evaluated = [](Decomposition decomposition) {
+    std::size_t sizes = 0;
+    Goal goal;
+    goal.size = [&](Point) { return ++sizes, 3e-8; };
+    EXPECT_TRUE(mesh(strip(3e-8), goal, {.threads = 1, .decomposition = decomposition, .max_vertices = 30'000}));
+    return static_cast<double>(sizes);
+  };
+  EXPECT_LE(evaluated(Decomposition::quadtree), 1.3 * evaluated(Decomposition::none));
+}
+
 /// A regression, with boundaries that may not be split. A triangle needed a point in one tile; the task of this tile
 /// needed a point in another tile for it. The two tasks handed the triangle on (passed it to each other) for ever.
 TEST(ManyTiles, do_not_hand_a_triangle_on_for_ever) {
