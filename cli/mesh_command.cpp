@@ -21,6 +21,7 @@
 #include "findings_text.hpp"
 #include "gaps_text.hpp"
 #include "input.hpp"
+#include "many_triangles.hpp"
 #include "memory_watch.hpp"
 #include "mesh_options.hpp"
 #include "output.hpp"
@@ -108,20 +109,6 @@ Result<Meshed> make_mesh(const MeshInput& input, const Goal& goal, const Options
     return refined;
   }
   return mesh(std::get<ValidPslg>(input.source), goal, options);
-}
-
-/// Warns before the refinement if the mesh needs very many triangles, unless --max-vertices keeps it smaller.
-void watch_size(const MeshArguments& arguments, std::optional<LeastSize>& large, Options& options) {
-  constexpr double many = 50e6,
-                   usual = 2.6;  // measured for strips: 1.6 to 2.6 times the least number
-  if (options.max_vertices > 0 && 2 * static_cast<double>(options.max_vertices) < many) return;
-  options.before_refinement = [&](const LeastSize& least) -> Status {
-    if (usual * least.triangles < many) return Done{};
-    large = least;
-    warn(fmt::format("{}: warning: {} --max-vertices limits their number; 'pardel doctor' lists narrow places",
-                     arguments.input.string(), least.message()));
-    return Done{};
-  };
 }
 
 Certificate check_mesh(const MeshArguments& arguments, const MeshInput& input, const Meshed& meshed, const Goal& goal,
@@ -220,7 +207,7 @@ Result<ExitCode> run(MeshArguments& arguments) {
 
   Options how = arguments.options;
   if (arguments.paranoid) watch_sweeps(arguments, pslg, *goal, run.sweeps_checked.emplace(0), how);
-  watch_size(arguments, run.large, how);
+  warn_of_many_triangles({arguments.input.string(), "pardel", "--max-vertices limits their number"}, run.large, how);
   Result<Meshed> meshed = make_mesh(*input, *goal, with_progress(how, bar));
   if (!meshed) return refuse(why_not_meshed(arguments, *input, meshed.error()));
   note_and_drop_points_outside(arguments, meshed->mesh, run);

@@ -18,6 +18,7 @@
 #include "../cli/findings_text.hpp"
 #include "../cli/goal_options.hpp"
 #include "../cli/input.hpp"
+#include "../cli/many_triangles.hpp"
 #include "../cli/memory.hpp"
 #include "../cli/memory_watch.hpp"
 #include "../cli/mesh_options.hpp"
@@ -185,9 +186,18 @@ Result<Made, Refusal> finished(MeshPiece& piece, const Pslg& pslg, const Problem
   return made;
 }
 
+/// The options of a run in which each rank has the whole domain. The first rank warns of very many triangles.
+Options warning_options(Run& run) {
+  Options options = run.arguments.options;
+  const std::string advice = "--max-memory limits the memory of each rank";
+  if (run.job.is_first())
+    warn_of_many_triangles({run.arguments.input.string(), program, advice}, run.report.large, options);
+  return options;
+}
+
 /// One piece per rank.
 Result<Made, Refusal> make_together(const Problem& input, Run& run) {
-  Result<MeshPiece> piece = mesh(input.domain, input.goal, run.arguments.options, run.job.ranks());
+  Result<MeshPiece> piece = mesh(input.domain, input.goal, warning_options(run), run.job.ranks());
   if (!piece) run.job.abort(piece.error());
   return finished(*piece, input.domain.pslg(), run.arguments.check ? &input : nullptr, run);
 }
@@ -267,7 +277,7 @@ Result<Made, Refusal> make_in_turn(const Problem& input, Run& run) {
   PvtuFiles files(arguments.outputs.front());
   Made made;
   Status written = Done{};
-  const Status ended = mesh_in_pieces(input.domain, input.goal, arguments.options, run.job.ranks(), arguments.pieces,
+  const Status ended = mesh_in_pieces(input.domain, input.goal, warning_options(run), run.job.ranks(), arguments.pieces,
                                       [&](MeshPiece&& piece, int number) {
                                         made.add(piece);
                                         if (!arguments.json.empty()) run.parts.add(piece);
@@ -396,11 +406,15 @@ ExitCode verdict(const Made& made, const Run& run) {
 
 Result<ExitCode> run_mesh(Arguments& arguments, Job& job) {
   Stopwatch watch;
-  const MemoryWatch memory_watch(memory_limit(arguments.max_memory_gib, available_memory(job.ranks_here())));
+  const std::uint64_t limit = memory_limit(arguments.max_memory_gib, available_memory(job.ranks_here()));
+  const MemoryWatch memory_watch(limit);
   if (Status fine = job.agree(check_arguments(arguments, job.ranks())); !fine) return fine.error();
   if (Status common = check_common_folders(arguments.outputs, job); !common) return common.error();
   arguments.options.threads = arguments.threads > 0 ? arguments.threads : job.threads_per_rank();
   use_threads(arguments.options.threads);
+  // The same on all ranks, because they decide alike. Where the interior is filled, a rank never has a whole mesh.
+  if (arguments.options.interior == Interior::refine)
+    arguments.options.max_memory = least_and_most_of(limit, job.ranks()).least;
   Run run{arguments, job};
   Result<Made, Refusal> made = make(run);
   if (!made) return job.is_first() ? refused(made.error(), arguments.input, arguments.json) : made.error().error;

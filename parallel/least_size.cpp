@@ -11,10 +11,13 @@
 namespace pardel {
 
 std::string LeastSize::message() const {
-  const double millions = std::round(triangles / 1e5) / 10;
-  return "The domain is only " + shortest(width) + " wide at " + shortest(where) +
-         ". With such narrow parts and this " + "smallest angle, the mesh needs at least " + shortest(millions) +
-         " million triangles.";
+  const auto millions = [](double number) { return shortest(std::round(number / 1e5) / 10) + " million triangles."; };
+  std::string text;
+  if (names_narrow_part())
+    text = "The domain is only " + shortest(width) + " wide at " + shortest(where) + ". ";
+  if (is_of_narrow_parts())
+    return text + "With such narrow parts and this smallest angle, the mesh needs at least " + millions(triangles);
+  return text + "With these bounds on sizes, the mesh will have about " + millions(expected);
 }
 
 Result<LeastSize> least_size(const ValidPslg& domain, double min_angle_deg, double min_edge, int threads) try {

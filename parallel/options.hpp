@@ -106,8 +106,8 @@ struct Options {
   /// ErrorKind::cancelled: no further task starts, and the mesher returns as soon as each thread has done a few
   /// insertions more.
   std::function<bool(const Progress&)> progress{};
-  /// Called in the calling thread by mesh(), before the refinement, with a lower bound on the size of the mesh. An
-  /// Error ends the run, and mesh() returns it. The bound is 0 if segments may not be split.
+  /// Called in the calling thread by mesh(), before the refinement, with a lower bound on the size of the mesh, and the
+  /// size to expect. An Error ends the run, and mesh() returns it. The bound is 0 if segments may not be split.
   std::function<Status(const LeastSize&)> before_refinement{};
   /// Called in the calling thread after each sweep, with a copy of the mesh. That mesh is constrained Delaunay and
   /// conforms to the domain; it need not satisfy the goal yet. An Error stops the refinement, and mesh() returns it.

@@ -117,7 +117,9 @@ LeastSize find_least_size(const DomainTriangulation& domain, double min_angle_de
     ask();
     search.examine(id);
   }
-  return search.found();
+  LeastSize found = search.found();
+  found.expected = LeastSize::most_likely * found.triangles;
+  return found;
 }
 
 }  // namespace pardel::engine

@@ -11,6 +11,7 @@
 #include "../interpolation/coverage.hpp"
 #include "../interpolation/graded_size.hpp"
 #include "../mesher.hpp"
+#include "expected_size.hpp"
 
 namespace pardel::engine {
 namespace {
@@ -30,11 +31,13 @@ std::vector<Point> corners_of(const Triangulation& t, const Threads& threads) {
 }
 
 /// Calls options.before_refinement, if there is one. Its error ends the run.
-Status announce_least_size(const DomainTriangulation& domain, const Goal& goal, const Options& options,
-                           const Threads& threads) {
+Status announce_size(const DomainTriangulation& domain, const Goal& goal, const Criteria& criteria,
+                     const Options& options, const Threads& threads) {
   if (!options.before_refinement) return Done{};
-  return options.before_refinement(
-      find_least_size(domain, may_split_all_segments(options) ? goal.min_angle_deg : 0, options.min_edge, threads));
+  LeastSize size =
+      find_least_size(domain, may_split_all_segments(options) ? goal.min_angle_deg : 0, options.min_edge, threads);
+  size.expected = std::max(size.expected, expected_triangles(domain.triangulation, criteria, threads));
+  return options.before_refinement(size);
 }
 
 bool bounds_lengths(const Goal& goal) { return goal.max_edge < INFINITY || goal.size || is_graded(goal); }
@@ -80,14 +83,14 @@ std::vector<double> edges_of_patches(const Pslg& pslg, const Goal& goal, const O
 
 Result<RunPlan> plan_run(const Pslg& pslg, const Goal& goal, const DomainTriangulation& domain, const Options& options,
                          const Threads& threads) {
-  if (Status wanted = announce_least_size(domain, goal, options, threads); !wanted) return wanted.error();
   if (ends_somewhere(goal.size)) require_coverage(goal.size, corners_of(domain.triangulation, threads), threads);
   Goal graded = guarded(goal);
   if (is_graded(graded)) graded.size = graded_size(graded, pslg, threads);
   std::vector<double> caps;
   for (const Region& region : pslg.regions) caps.push_back(region.max_area);
-  return RunPlan{Criteria(graded, placement_for(goal, options, false), std::move(caps)),
-                 edges_of_patches(pslg, goal, options)};
+  Criteria criteria(graded, placement_for(goal, options, false), std::move(caps));
+  if (Status wanted = announce_size(domain, goal, criteria, options, threads); !wanted) return wanted.error();
+  return RunPlan{std::move(criteria), edges_of_patches(pslg, goal, options)};
 }
 
 }  // namespace pardel::engine

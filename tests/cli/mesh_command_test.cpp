@@ -428,7 +428,16 @@ TEST_F(MeshCommand, warns_before_the_refinement_of_a_mesh_with_very_many_triangl
   write("wider.poly", "4 2 0 0\n1 0 0\n2 1 0\n3 1 1e-8\n4 0 1e-8\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n");
   const Ran wider = pardel({"mesh", "wider.poly", "-o", "m.vtu", "--progress", "always"},
                            {.interrupt_when = "million triangles. --max-vertices limits their number"});
-  EXPECT_TRUE(holds(wider.err, {"needs at least 37.8 million triangles."})) << "usually about 100 million";
+  EXPECT_TRUE(holds(wider.err, {"needs at least 37.8 million triangles."})) << "usually about 80 million";
+  for (const std::vector<std::string>& bound : {std::vector<std::string>{"--grading", "0.3"}, {"--feature-size", "2"}})
+    for (const std::string domain : {"wider.poly", "plate.poly"}) {
+      const Ran graded = pardel({"mesh", domain, "-o", "m.vtu", bound[0], bound[1], "--progress", "always"},
+                                {.interrupt_when = "--max-vertices limits their number"});
+      EXPECT_EQ(graded.exit_code, 130) << graded;
+      EXPECT_TRUE(holds(graded.err, {domain + ": warning: The domain is only 1e-0",
+                                     "With these bounds on sizes, the mesh will have about ", "'pardel doctor' lists"}))
+          << graded;
+    }
   const Ran limited = pardel({"mesh", "plate.poly", "-o", "m.vtu", "--max-vertices", "1000"});
   EXPECT_EQ(limited.exit_code, 4) << limited;
   EXPECT_EQ(limited.err.find("million"), std::string::npos) << limited;

@@ -237,6 +237,38 @@ TEST_F(BothPrograms, keep_to_a_limit_on_memory) {
   EXPECT_FALSE(exists("out.pvtu"));
 }
 
+TEST_F(BothPrograms, refuse_at_once_a_mesh_that_cannot_fit) {
+  if (testing::sanitized) GTEST_SKIP() << "a sanitizer's shadow memory alone is larger than the limit";
+  for (const int ranks : {0, 2}) {
+    const std::string output = ranks == 0 ? "out.vtu" : "out.pvtu";
+    const std::vector<std::string> all = {"mesh", "pipe.poly",  "-o",     output,         "--max-area",
+                                          "1e-8", "--interior", "refine", "--max-memory", "0.5"};
+    const Ran ran = ranks == 0 ? pardel(all) : on_ranks(ranks, all);
+    EXPECT_EQ(ran.exit_code, 5) << ran;
+    EXPECT_TRUE(holds(ran.err, {"the mesh will have more than ", "million triangles", "GiB", "512 MiB"})) << ran;
+  }
+}
+
+/// The mesh does not fit into the memory, so the run ends after the warning.
+TEST_F(BothPrograms, warn_of_very_many_triangles) {
+  if (testing::sanitized) GTEST_SKIP() << "a sanitizer's shadow memory alone is larger than the limit";
+  for (const int ranks : {0, 2}) {
+    const std::string output = ranks == 0 ? "out.vtu" : "out.pvtu";
+    for (const char* bound : {"--max-area", "--max-edge"}) {
+      const std::vector<std::string> all = {"mesh", "pipe.poly",  "-o",     output,         bound,
+                                            "1e-8", "--interior", "refine", "--max-memory", "0.1"};
+      const Ran ran = ranks == 0 ? pardel(all) : on_ranks(ranks, all);
+      EXPECT_EQ(ran.exit_code, 5) << ran;
+      const std::string program = ranks == 0 ? "pardel" : "pardel-mpi";
+      const std::string warning =
+          program + ": pipe.poly: warning: With these bounds on sizes, the mesh will have about ";
+      const std::size_t at = ran.err.find(warning);
+      EXPECT_NE(at, std::string::npos) << ran;
+      EXPECT_EQ(ran.err.find(warning, at + 1), std::string::npos) << "one rank warns\n" << ran;
+    }
+  }
+}
+
 TEST_F(BothPrograms, print_only_the_report_where_standard_output_is_its_file) {
   const Ran ran = on_ranks(2, {"mesh", "pipe.poly", "-o", "out.pvtu", "--max-area", "1e-3", "--json", "-"});
   EXPECT_EQ(ran.exit_code, 0) << ran;
