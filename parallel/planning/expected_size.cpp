@@ -1,8 +1,10 @@
 #include "expected_size.hpp"
 
 #include <algorithm>
+#include <numbers>
 #include <vector>
 
+#include "../arithmetic/floor.hpp"
 #include "../concurrency/parallel_for.hpp"
 #include "../criteria/estimates.hpp"
 #include "../criteria/parts.hpp"
@@ -12,6 +14,11 @@ namespace {
 
 /// Where the size depends on the place, small sizes between the samples are missed: this much on average.
 constexpr double missed = 1.25;
+
+/// The number of equilateral triangles with edges as short as the floor that fill this one.
+double most_above_floor(const Shape& s, const Floor& floor) {
+  return s.twice_area / (0.5 * std::numbers::sqrt3 * floor.squared_at(s.centroid()));
+}
 
 /// How often a triangle is divided for its samples, if its centroid lets expect so many triangles.
 int divisions_of(double triangles) {
@@ -23,7 +30,8 @@ int divisions_of(double triangles) {
 
 }  // namespace
 
-double expected_triangles(const Triangulation& t, const Criteria& criteria, const Threads& threads) {
+double expected_triangles(const Triangulation& t, const Criteria& criteria, double min_edge, const Threads& threads) {
+  const Floor floor(min_edge);
   const std::size_t count = t.slots.size();
   const int everywhere = divisions_for(criteria, count);
   std::vector<double> of_block(block_count(count), 0);
@@ -34,7 +42,9 @@ double expected_triangles(const Triangulation& t, const Criteria& criteria, cons
       const Index region = t.region.empty() ? no_index : t.region[id];
       const auto wanted = [&](int divisions) {
         double sum = 0;
-        visit_parts(shape, divisions, [&](const Shape& p) { sum += criteria.triangles_wanted(p, region, hints); });
+        visit_parts(shape, divisions, [&](const Shape& part) {
+          sum += std::min(criteria.triangles_wanted(part, region, hints), most_above_floor(part, floor));
+        });
         return sum;
       };
       double triangles = wanted(everywhere);

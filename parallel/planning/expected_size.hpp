@@ -9,8 +9,10 @@ namespace pardel::engine {
 
 /// The number of triangles that the bounds on size, of any kind, and the shapes of the triangles of the domain let
 /// expect. Measured: within a factor of two for bounds on size. Narrow parts that a bound on angles has to fill are not
-/// counted (find_least_size.hpp). The number of threads does not change the result. Precondition: nothing has been
-/// refined yet. O(n), with at least 4096 and at most 16 n evaluations of a size.
-[[nodiscard]] double expected_triangles(const Triangulation& t, const Criteria& criteria, const Threads& threads);
+/// counted (find_least_size.hpp). `min_edge`: as Options::min_edge; shorter edges are not expected. The number of
+/// threads does not change the result. Precondition: nothing has been refined yet. O(n): thousands of evaluations of a
+/// size, or at most 17 n.
+[[nodiscard]] double expected_triangles(const Triangulation& t, const Criteria& criteria, double min_edge,
+                                        const Threads& threads);
 
 }  // namespace pardel::engine

@@ -36,7 +36,8 @@ Status announce_size(const DomainTriangulation& domain, const Goal& goal, const 
   if (!options.before_refinement) return Done{};
   LeastSize size =
       find_least_size(domain, may_split_all_segments(options) ? goal.min_angle_deg : 0, options.min_edge, threads);
-  size.expected = std::max(size.expected, expected_triangles(domain.triangulation, criteria, threads));
+  size.expected =
+      std::max(size.expected, expected_triangles(domain.triangulation, criteria, options.min_edge, threads));
   return options.before_refinement(size);
 }
 

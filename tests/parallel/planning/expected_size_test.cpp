@@ -80,6 +80,15 @@ TEST(ExpectedSize, of_a_plate_of_a_billionth_is_enormous_for_any_bound) {
   EXPECT_NE(by_features.message().find(". With these bounds on sizes, the mesh will have about "), std::string::npos);
 }
 
+TEST(ExpectedSize, has_no_edges_below_the_shortest_that_is_allowed) {
+  const Goal goal{.feature_edges = 2};
+  const double made = static_cast<double>(mesh(strip(1e-4), goal, {.min_edge = 1e-4})->mesh.triangles.size());
+  const double expected = announced(strip(1e-4), goal, {.min_edge = 1e-4}).expected;
+  EXPECT_LT(expected, announced(strip(1e-4), goal).expected / 3);
+  EXPECT_LE(expected, 2 * made);
+  EXPECT_GE(expected, made / 2);
+}
+
 TEST(ExpectedSize, of_small_areas_names_no_narrow_part) {
   const LeastSize size = announced(domains::square(), {.max_area = 1e-8});
   EXPECT_EQ(size.triangles, 0);
