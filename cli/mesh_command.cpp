@@ -21,6 +21,7 @@
 #include "findings_text.hpp"
 #include "gaps_text.hpp"
 #include "input.hpp"
+#include "kept_segments.hpp"
 #include "many_triangles.hpp"
 #include "memory_watch.hpp"
 #include "mesh_options.hpp"
@@ -70,6 +71,8 @@ Result<MeshInput, Refusal> read(const MeshArguments& arguments, ProgressBar& bar
                    {.snap = arguments.snap, .convex_hull = arguments.goal.convex_hull}, arguments.options.threads);
   if (!valid) return valid.error();
   for (const std::string& line : valid->log) warn(line);
+  if (Status kept = check_kept_segments(*valid, arguments.options.kept_markers); !kept)
+    return Refusal(with_name(kept.error(), arguments.input.string()));
   if (Status fits = check_sizes_of(*valid, sizes->field); !fits) return Refusal(fits.error());
   std::vector<Warning> warnings = print_warnings(valid->domain, arguments.input.string());
   seconds.validate = watch.lap();

@@ -139,7 +139,8 @@ Status write_triangle_files(const Mesh& mesh, const Pslg& pslg, const fs::path& 
     put_point_header(header, 0, mesh.attributes_per_point, files.markers && !mesh.point_markers.empty());
     out.write(header.view());
     write_edges(out, mesh.constrained_edges, files.markers, files.base);
-    write_holes_and_regions(out, pslg, files.base);
+    // Without segments a .poly stands for the convex hull, in which a hole would remove everything.
+    write_holes_and_regions(out, mesh.constrained_edges.empty() ? Pslg{} : pslg, files.base);
   }
   if (files.write_edge) write_edges(open(".edge"), table.edges, files.markers, files.base);
   if (files.write_neigh) write_neigh(open(".neigh"), mesh, files.base);

@@ -14,6 +14,7 @@
 #include "../validate.hpp"
 #include "check_faces.hpp"
 #include "check_values.hpp"
+#include "duplicates.hpp"
 #include "findings.hpp"
 #include "untangle.hpp"
 
@@ -124,6 +125,25 @@ class Seeds {
  public:
   Seeds(Work& work, SeedRecord& record, StopSignal& stop) : work_(work), record_(record), stop_(stop) {}
 
+  /// Drops those that are closer than the snapping distance to a place where segments have become a point: the face
+  /// that these enclosed is gone.
+  void drop_at_vanished_faces(const Pslg& old, const Snapping& snapping) {
+    std::vector<Point> places = ends_of_vanished_segments(old);
+    const std::size_t vanished = places.size();
+    if (vanished == 0) return;
+    const std::vector<Point> seeds = seeds_of(work_.pslg);
+    places.insert(places.end(), seeds.begin(), seeds.end());
+    std::vector<Index> holes, regions;
+    for (const Duplicate& near : find_close(places, Reach(snapping, places, {}))) {
+      if (near.first >= vanished || near.again < vanished) continue;
+      const std::size_t seed = near.again - vanished;
+      note_drop(seed, seeds[seed], "is closer than the snapping distance to " + shortest(places[near.first]) +
+                                       ", where segments have become a point.",
+                holes, regions);
+    }
+    drop(holes, regions);
+  }
+
   /// Drops those closer to a segment than the snapping distance.
   void drop_near_segments(const Snapping& snapping) {
     Pslg& pslg = work_.pslg;
@@ -134,15 +154,8 @@ class Seeds {
     std::vector<Index> holes, regions;
     for (const NearPoint& near : find_near_points(input, sweep_plane(input))) {
       if (near.point < pslg.points.size()) continue;
-      const auto seed = static_cast<Index>(near.point - pslg.points.size());
-      const bool is_hole = seed < pslg.holes.size();
-      const auto id = static_cast<Index>(is_hole ? seed : seed - pslg.holes.size());
-      std::vector<Index>& ids = is_hole ? holes : regions;
-      if (std::ranges::find(ids, id) != ids.end()) continue;
-      ids.push_back(id);
-      record_.dropped.push_back("Dropped: " + std::string(is_hole ? "Hole " : "Region ") +
-                                number(pslg, (is_hole ? record_.hole_source : record_.region_source)[id]) + " at " +
-                                shortest(seeds[seed]) + " is closer to a segment than the snapping distance.");
+      const std::size_t seed = near.point - pslg.points.size();
+      note_drop(seed, seeds[seed], "is closer to a segment than the snapping distance.", holes, regions);
     }
     drop(holes, regions);
   }
@@ -186,6 +199,31 @@ class Seeds {
   }
 
  private:
+  /// Where both ends of a segment have become one point, each place once.
+  [[nodiscard]] std::vector<Point> ends_of_vanished_segments(const Pslg& old) {
+    std::vector<bool> is_end(work_.pslg.points.size());
+    for (const Segment& s : old.segments)
+      if (work_.point_map[s.a] == work_.point_map[s.b]) is_end[work_.point_map[s.a]] = true;
+    std::vector<Point> places;
+    for (Index p = 0; p < is_end.size(); ++p)
+      if (is_end[p]) places.push_back(work_.pslg.points[p]);
+    return places;
+  }
+
+  /// Adds a seed, in the order of seeds_of(), to the holes or regions that are dropped, and a line to the log.
+  void note_drop(std::size_t seed, Point at, const std::string& why, std::vector<Index>& holes,
+                 std::vector<Index>& regions) {
+    const std::size_t hole_count = work_.pslg.holes.size();
+    const bool is_hole = seed < hole_count;
+    const auto id = static_cast<Index>(is_hole ? seed : seed - hole_count);
+    std::vector<Index>& ids = is_hole ? holes : regions;
+    if (std::ranges::find(ids, id) != ids.end()) return;
+    ids.push_back(id);
+    record_.dropped.push_back("Dropped: " + std::string(is_hole ? "Hole " : "Region ") +
+                              number(work_.pslg, (is_hole ? record_.hole_source : record_.region_source)[id]) + " at " +
+                              shortest(at) + " " + why);
+  }
+
   void drop(const std::vector<Index>& holes, const std::vector<Index>& regions) {
     erase_at(work_.pslg.holes, holes);
     erase_at(record_.hole_source, holes);
@@ -224,6 +262,7 @@ std::optional<Result<RepairStage>> repair_once(const Pslg& pslg, const Snapping&
   SparseAsk ask(&stop);
   const Moved points = moved_points(pslg, work, ask), segments = bent_segments(pslg, work, is_old, ask);
   Seeds seeds(work, record, stop);
+  if (points.count > 0) seeds.drop_at_vanished_faces(pslg, snapping);
   if (points.count + segments.count > 0 || is_outline_drawn) seeds.drop_near_segments(snapping);
   std::vector<std::string> log = summary(pslg, work, is_old);
   note_moves(pslg, largest_snap, points, segments, log);

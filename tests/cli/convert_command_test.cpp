@@ -94,6 +94,14 @@ TEST_F(ConvertCommand, a_hole_is_found_where_the_format_has_none) {
   EXPECT_EQ(pardel({"mesh", "v.node", "--refine", "-o", "finer.vtu", "--max-area", "0.001", "--check"}).exit_code, 0);
 }
 
+TEST_F(ConvertCommand, a_mesh_without_segments_is_written_without_holes) {
+  write("ring.node", "8 2 0 0\n1 0 0\n2 3 0\n3 3 3\n4 0 3\n5 1 1\n6 2 1\n7 2 2\n8 1 2\n");
+  write("ring.ele", "8 3 0\n1 1 2 6\n2 1 6 5\n3 2 3 7\n4 2 7 6\n5 3 4 8\n6 3 8 7\n7 4 1 5\n8 4 5 8\n");
+  convert("ring.ele", "ring.2dm");
+  convert("ring.2dm", "own.node");
+  EXPECT_EQ(table("own.poly"), (std::vector<std::vector<double>>{{0, 2, 1, 0}, {0, 1}, {0}}));
+}
+
 TEST_F(ConvertCommand, a_wrong_mesh_stays_as_it_is) {
   write("w.node", "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n");
   write("w.ele", "2 3 0\n1 1 3 2\n2 1 3 4\n");

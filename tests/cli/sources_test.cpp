@@ -135,10 +135,22 @@ TEST_F(Keep, splits_no_segment_with_the_marker) {
 TEST_F(Keep, of_the_boundary_marker_keeps_segments_without_a_marker_on_the_boundary) {
   write("plain.poly", "4 2 0 0\n0 0 0\n1 1 0\n2 1 1\n3 0 1\n4 0\n0 0 1\n1 1 2\n2 2 3\n3 3 0\n0\n");
   EXPECT_EQ(report({"plain.poly", "-o", "m.ele", "--keep", "1", "--max-area", "0.05"}, 4)["mesh"]["vertices"],
-            report({"plain.poly", "-o", "n.ele", "--keep", "7,1", "--max-area", "0.05"}, 4)["mesh"]["vertices"]);
-  const json all = report({"plain.poly", "-o", "n.ele", "--max-area", "0.05", "--interior", "refine"});
-  EXPECT_EQ(report({"plain.poly", "-o", "n.ele", "--keep", "7", "--max-area", "0.05"})["digest"], all["digest"])
-      << "no segment has the marker 7";
+            5)
+      << "the corners and a point inside";
+}
+
+TEST_F(Keep, of_a_marker_that_no_segment_has_is_refused) {
+  const Ran ran = pardel({"mesh", "two.poly", "-o", "m.ele", "--keep", "3,77"});
+  EXPECT_EQ(ran.exit_code, 3) << ran;
+  EXPECT_TRUE(holds(ran.err, {"two.poly: --keep: no segment of the domain has the marker 77"})) << ran.err;
+}
+
+TEST_F(Keep, refuses_a_repair_that_moves_kept_points) {
+  write("near.poly",
+        "5 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n5 0.99 0\n5 1\n1 1 5 3\n2 5 2 3\n3 2 3 3\n4 3 4 3\n5 4 1 3\n0\n");
+  const Ran refused = pardel({"mesh", "near.poly", "-o", "m.ele", "--keep", "3", "--repair", "--snap", "0.02"});
+  EXPECT_EQ(refused.exit_code, 3) << refused;
+  EXPECT_TRUE(holds(refused.err, {"near.poly: --repair would move point ", "--keep 3 keeps"})) << refused.err;
 }
 
 TEST_F(Keep, needs_whole_numbers) {

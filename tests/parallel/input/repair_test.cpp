@@ -231,6 +231,23 @@ TEST(Repair, drops_a_hole_whose_face_closes_and_keeps_the_face_beside_it) {
   EXPECT_TRUE(result.log.back().starts_with("Dropped: Hole 0 at (2, 1.00000000000005) is closer to a segment"));
 }
 
+TEST(Repair, drops_a_hole_whose_outline_becomes_a_point) {
+  Pslg pslg = square(1000);
+  pslg.points.insert(pslg.points.end(), {{500, 500}, {503, 500}, {503, 503}, {500, 503}});
+  pslg.segments.insert(pslg.segments.end(), {{4, 5}, {5, 6}, {6, 7}, {7, 4}});
+  pslg.holes = {{501, 501}};
+  for (const double snap : {3.1, 4.0, 5.0}) {
+    const Repaired result = repaired(pslg, snap);
+    EXPECT_TRUE(result.domain.pslg().holes.empty()) << snap;
+    EXPECT_TRUE(result.log.back().starts_with("Dropped: Hole 0 at (501, 501) is closer ")) << result.log.back();
+  }
+  // A hole without an islet around its seed stays.
+  pslg.holes = {{510, 510}};
+  pslg.points.insert(pslg.points.end(), {{400, 400}, {600, 400}, {600, 600}, {400, 600}});
+  pslg.segments.insert(pslg.segments.end(), {{8, 9}, {9, 10}, {10, 11}, {11, 8}});
+  EXPECT_EQ(repaired(pslg, 5).domain.pslg().holes.size(), 1U);
+}
+
 TEST(Repair, accepts_an_open_outline_if_the_domain_is_the_convex_hull) {
   Pslg pslg = square(4);
   pslg.segments.pop_back();
