@@ -185,7 +185,7 @@ constexpr Defect array_defects[] = {
      {Field::attributes},
      [](Pslg& pslg, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some(pslg.point_attributes.size(), seed, [&](Index k) {
-         mesh.point_attributes[k] += 1;
+         mesh.point_attributes[k] = edit::another_number(mesh.point_attributes[k]);
          return true;
        });
      }},

@@ -244,7 +244,7 @@ constexpr Defect label_defects[] = {
      {Field::region_attributes},
      [](Pslg&, Mesh& mesh, Goal&, std::uint64_t seed) {
        return at_some(mesh.region_attributes.size(), seed, [&](Index r) {
-         mesh.region_attributes[r] += 1;
+         mesh.region_attributes[r] = edit::another_number(mesh.region_attributes[r]);
          return true;
        });
      }},

@@ -49,6 +49,8 @@ void erase_triangles(Mesh& mesh, const std::vector<Index>& ids);
 /// Appends a triangle without neighbours; call relink() when the last triangle was appended.
 void append_triangle(Mesh& mesh, std::array<Index, 3> v, Index region = no_index);
 [[nodiscard]] Index region_of(const Mesh& mesh, Index t);
+/// A number that differs from this one, however large it is.
+[[nodiscard]] inline double another_number(double x) { return x + 1 != x ? x + 1 : -x; }
 /// Appends a point with marker 0 and attributes 0, and returns its index.
 Index append_point(Mesh& mesh, Point p, Index origin = interior_vertex);
 /// Moves a vertex. If suits() is false afterwards, moves the vertex back and returns false.

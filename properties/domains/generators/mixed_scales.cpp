@@ -118,10 +118,27 @@ void complete(Pslg& pslg) {
   if (!pslg.point_markers.empty()) pslg.point_markers.resize(pslg.points.size());
 }
 
-/// Both domains in one.
+/// The domain with the kinds of data of the points of another one: with as many attributes, which are 0 where it has
+/// fewer, and with markers only if the other one has some.
+Pslg with_kinds_of(const Pslg& other, const Pslg& domain) {
+  Pslg result = domain;
+  result.attributes_per_point = other.attributes_per_point;
+  result.point_attributes.clear();
+  for (std::size_t i = 0; i < domain.points.size(); ++i)
+    for (std::size_t a = 0; a < other.attributes_per_point; ++a)
+      result.point_attributes.push_back(
+          a < domain.attributes_per_point ? domain.point_attributes[i * domain.attributes_per_point + a] : 0);
+  result.point_markers.resize(other.point_markers.empty() ? 0 : domain.points.size());
+  return result;
+}
+
+/// Both domains in one. Precondition: the second one has the same kinds of data of points, or none.
 Pslg united(Pslg pslg, const Pslg& added) {
   const auto first = static_cast<Index>(pslg.points.size());
   pslg.points.insert(pslg.points.end(), added.points.begin(), added.points.end());
+  pslg.point_attributes.insert(pslg.point_attributes.end(), added.point_attributes.begin(),
+                               added.point_attributes.end());
+  pslg.point_markers.insert(pslg.point_markers.end(), added.point_markers.begin(), added.point_markers.end());
   for (const Segment& s : added.segments) pslg.segments.push_back({first + s.a, first + s.b, s.marker});
   pslg.has_segment_markers |= added.has_segment_markers;
   pslg.holes.insert(pslg.holes.end(), added.holes.begin(), added.holes.end());
@@ -433,7 +450,8 @@ const char* name(Mixture mixture) { return mixture_names[mixture]; }
 
 Mixed mixed_scales(const Pslg& domain, const Pslg& other, Random& random, bool allows_tiny,
                    const std::vector<Mixture>& mixtures) {
-  Mixer mixer(domain, other, random, allows_tiny);
+  const Pslg alike = with_kinds_of(domain, other);
+  Mixer mixer(domain, alike, random, allows_tiny);
   std::vector<Mixture> order = mixtures;
   random.shuffle(order);
   const bool may_add_far_points =

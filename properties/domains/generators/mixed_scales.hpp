@@ -44,7 +44,8 @@ struct Mixed {
 /// 2^-140 to 2^200 in magnitude, and nothing is rounded: parts are moved and scaled by powers of two, and what that
 /// would round is not done. `other` is a second domain, which may be the same one; it is scaled by up to 2^60 and used
 /// as a component. `allows_tiny`: features may be as small as coordinates can be. `mixtures`: those that may be chosen.
-/// Preconditions: both are valid; point attributes of `other` are not used.
+/// Points of `other` get as many attributes as those of the domain have, and markers if those have some.
+/// Precondition: both are valid.
 [[nodiscard]] Mixed mixed_scales(const Pslg& domain, const Pslg& other, Random& random, bool allows_tiny = false,
                                  const std::vector<Mixture>& mixtures = all_mixtures());
 
