@@ -117,6 +117,19 @@ TEST_F(PointsOutside, of_a_mesh_are_left_out_when_it_is_refined) {
   EXPECT_EQ(pardel({"check", "boreholes.poly", "r.vtu", "--max-area", "100"}).exit_code, 0);
 }
 
+TEST_F(PointsOutside, leave_all_components_of_a_field_to_the_other_points) {
+  write("m.msh",
+        "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n5\n1 0 0 0\n2 7 7 0\n3 1 0 0\n4 1 1 0\n5 0 1 0\n$EndNodes\n"
+        "$Elements\n2\n1 2 0 1 3 4\n2 2 0 1 4 5\n$EndElements\n$NodeData\n1\n\"v\"\n1\n0\n3\n0\n3\n5\n"
+        "1 1 2 3\n2 4 5 6\n3 7 8 9\n4 10 11 12\n5 13 14 15\n$EndNodeData\n");
+  ASSERT_EQ(pardel({"convert", "m.msh", "used.vtu", "--drop-unused"}).exit_code, 0);
+  const Result<Mesh> mesh = read_mesh(folder_ / "work" / "used.vtu");
+  ASSERT_TRUE(mesh);
+  EXPECT_EQ(mesh->points.size(), 4U);
+  ASSERT_EQ(mesh->fields.size(), 1U);
+  EXPECT_EQ(mesh->fields[0].values, Array<double>(std::vector<double>{1, 2, 3, 7, 8, 9, 10, 11, 12, 13, 14, 15}));
+}
+
 TEST_F(PointsOutside, are_those_of_meshes_only_for_convert) {
   const Ran ran = pardel({"convert", "boreholes.poly", "copy.poly", "--drop-unused"});
   EXPECT_EQ(ran.exit_code, 2) << ran;

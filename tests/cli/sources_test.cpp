@@ -82,6 +82,32 @@ TEST_F(Sources, in_a_region_and_a_field_hold_together) {
   EXPECT_GT(triangles({"--sources", "r.sources", "--sizes", "two.sizes"}), std::max(region, field));
 }
 
+TEST_F(Sources, in_a_region_leave_a_field_to_the_other_regions) {
+  write("r.sources", "region 2 0.05\n");
+  write("two.sizes", "6\n0 0.2\n1 0.2\n2 0.2\n3 0.2\n4 0.2\n5 0.2\n");
+  EXPECT_GT(report({"two.poly", "-o", "m.ele", "--grading", "1", "--sources", "r.sources", "--sizes",
+                    "two.sizes"})["mesh"]["triangles"],
+            1'000);
+  for (const std::vector<std::string>& rule :
+       std::vector<std::vector<std::string>>{{"--sources", "r.sources"}, {"--sizes", "two.sizes"}}) {
+    const Ran check = pardel({"check", "two.poly", "m.ele", "--grading", "1", rule[0], rule[1]});
+    EXPECT_EQ(check.exit_code, 0) << check;
+  }
+}
+
+TEST_F(Sources, with_a_marker_are_its_segments_and_its_points) {
+  const auto triangles = [&](const std::string& marker_of_point) {
+    write("marked.poly", "5 2 0 1\n0 0 0 0\n1 2 0 0\n2 2 2 0\n3 0 2 0\n4 0.5 1 " + marker_of_point +
+                             "\n4 1\n0 0 1 0\n1 1 2 3\n2 2 3 0\n3 3 0 0\n0\n");
+    return report({"marked.poly", "-o", "m.ele", "--grading", "1", "--sources", "m.sources",
+                   "--check"})["mesh"]["triangles"]
+        .get<int>();
+  };
+  write("m.sources", "marker 3 0.02\n");
+  const int of_segment = triangles("0"), of_both = triangles("3");
+  EXPECT_GT(of_both, of_segment + 50);
+}
+
 TEST_F(Sources, that_the_domain_does_not_have_are_named_with_their_line) {
   write("m.sources", "# shore\nmarker 9 1\n");
   Ran ran = pardel({"mesh", "two.poly", "-o", "m.ele", "--grading", "1", "--sources", "m.sources"});

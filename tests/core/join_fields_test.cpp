@@ -49,5 +49,18 @@ TEST(JoinFields, keeps_the_first_value_and_the_first_name) {
   EXPECT_EQ(mesh->left_out.things(), std::vector<std::string>{"text"});
 }
 
+TEST(JoinFields, keeps_the_steps_of_a_field_apart) {
+  std::vector<NumberedMesh> pieces = halves_with_fields();
+  for (NumberedMesh& piece : pieces)
+    piece.mesh.fields.push_back(
+        {"heat", Field::Place::triangles, 1, Array<double>(1, piece.mesh.fields[0].values[0] + 10), 2.5});
+  const Result<Mesh> mesh = join_pieces(pieces);
+  ASSERT_TRUE(mesh);
+  ASSERT_EQ(mesh->fields.size(), 3U);
+  EXPECT_EQ(mesh->fields[0], (Field{"heat", Field::Place::triangles, 1, Array<double>(std::vector<double>{5, 6}), 0}));
+  EXPECT_EQ(mesh->fields[2],
+            (Field{"heat", Field::Place::triangles, 1, Array<double>(std::vector<double>{15, 16}), 2.5}));
+}
+
 }  // namespace
 }  // namespace pardel

@@ -82,8 +82,8 @@ TEST(JoinPieces, refuses_different_data_of_a_point) {
     for (NumberedMesh& piece : pieces) {
       piece.mesh.point_markers.resize(3);
       piece.mesh.origin.resize(3);
-      piece.mesh.attributes_per_point = 1;
-      piece.mesh.point_attributes.resize(3, std::numeric_limits<double>::quiet_NaN());
+      piece.mesh.attributes_per_point = 2;
+      piece.mesh.point_attributes.resize(6, std::numeric_limits<double>::quiet_NaN());
     }
     return pieces;
   };
@@ -94,9 +94,11 @@ TEST(JoinPieces, refuses_different_data_of_a_point) {
   pieces = with_data();
   pieces[1].mesh.origin[1] = hull_vertex;
   EXPECT_EQ(error_of(pieces), message);
-  pieces = with_data();
-  pieces[1].mesh.point_attributes[1] = 0.5;
-  EXPECT_EQ(error_of(pieces), message);
+  for (const std::size_t attribute : {0, 1}) {
+    pieces = with_data();
+    pieces[1].mesh.point_attributes[2 + attribute] = 0.5;
+    EXPECT_EQ(error_of(pieces), message) << attribute;
+  }
 }
 
 TEST(JoinPieces, refuses_pieces_with_different_kinds_of_data) {

@@ -1,9 +1,12 @@
 // Whoever moves from one process to ranks finds the same options and the same report, or a reason why not.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <regex>
 #include <set>
 #include <string>
@@ -181,6 +184,34 @@ TEST_F(BothPrograms, write_the_same_mesh_into_reports_of_several_ranks) {
     EXPECT_FALSE(expected.at("x").empty());
     EXPECT_EQ(expected, found);
   }
+}
+
+/// The smallest angle of a triangle, in degrees.
+double smallest_angle(const Mesh& mesh, std::size_t triangle) {
+  double smallest = 180;
+  for (int i = 0; i < 3; ++i) {
+    const auto corner = [&](int k) { return mesh.points[mesh.triangles[triangle].v[(i + k) % 3]]; };
+    const Point p = corner(0), a = corner(1), b = corner(2);
+    const double cross = (a.x - p.x) * (b.y - p.y) - (a.y - p.y) * (b.x - p.x),
+                 dot = (a.x - p.x) * (b.x - p.x) + (a.y - p.y) * (b.y - p.y);
+    smallest = std::min(smallest, std::atan2(cross, dot) * 180 / std::numbers::pi);
+  }
+  return smallest;
+}
+
+TEST_F(BothPrograms, name_exempt_triangles_by_their_numbers_in_the_whole_mesh) {
+  const Json ranks = report(4, {"wedge.poly", "--interior", "refine", "--min-angle", "30", "--max-area", "5e-4",
+                                "--triangles-per-tile", "100"});
+  const Result<Mesh> mesh = read_mesh(folder_ / "work" / "out.pvtu");
+  ASSERT_TRUE(mesh) << mesh.error().message;
+  std::set<std::size_t> named;
+  for (const Json& exemption : ranks.at("refine").at("exemptions")) {
+    const auto triangle = exemption.at("triangle").get<std::size_t>();
+    ASSERT_LT(triangle, mesh->triangles.size());
+    EXPECT_LT(smallest_angle(*mesh, triangle), 30);
+    EXPECT_TRUE(named.insert(triangle).second) << triangle << " is named twice";
+  }
+  EXPECT_GT(named.size(), 10U);
 }
 
 TEST_F(BothPrograms, count_points_outside_once_whatever_each_rank_reads) {

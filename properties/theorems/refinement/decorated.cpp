@@ -69,7 +69,8 @@ class ProblemMaker {
     goal().region_caps = has(Wish::caps_of_regions);
     Random of_caps = random_of(Wish::caps_of_regions);
     if (goal().region_caps)
-      for (Region& region : pslg().regions) region.max_area = length * length * std::ldexp(1, of_caps.between(-3, 2));
+      for (Region& region : pslg().regions)
+        if (!of_caps.chance(4)) region.max_area = length * length * std::ldexp(1, of_caps.between(-3, 2));
     goal().conforming = has(Wish::conforming);
     goal().convex_hull = has(Wish::hull);
   }
@@ -136,6 +137,10 @@ class ProblemMaker {
 DecoratedCase any_decorated_case(Random& random, int size) {
   DecoratedCase drawn{generators::any_case(random, size / 2), {}};
   drawn.wishes = generators::any_switches<Wishes>(random);
+  // Interiors are filled only where bounds are the same everywhere.
+  if (drawn.wishes.has(Wish::fill) && random.chance(2))
+    for (const Wish wish : {Wish::field, Wish::lengths_at_points, Wish::growth, Wish::sources, Wish::narrow_places})
+      drawn.wishes.on.reset(static_cast<std::size_t>(wish));
   return drawn;
 }
 
@@ -159,6 +164,16 @@ DecoratedProblem some_decorated_problem(Exhibit& exhibit) {
   RC_TAG(std::string(generators::name(c.plain.domain.family)));
   exhibit.show(to_pslg(c.plain.domain));
   return ProblemMaker(c).make();
+}
+
+void require_kept_segments(const DecoratedProblem& drawn, const Meshed& meshed) {
+  const std::vector<Segment>& segments = drawn.problem.pslg.segments;
+  const std::vector<int>& kept = drawn.options.kept_markers;
+  std::vector<int> edges(segments.size(), 0);
+  for (const ConstrainedEdge& e : meshed.mesh.constrained_edges)
+    if (e.segment != no_index) ++edges[e.segment];
+  for (std::size_t s = 0; s < edges.size(); ++s)  // a segment without a marker has the marker 1 on the boundary
+    if (segments[s].marker != 0 && std::ranges::find(kept, segments[s].marker) != kept.end()) RC_ASSERT(edges[s] <= 1);
 }
 
 void require_certified(const DecoratedProblem& drawn, const Meshed& meshed) {

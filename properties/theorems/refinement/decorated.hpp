@@ -52,6 +52,9 @@ struct DecoratedProblem {
 /// some thousand triangles at most, unless the domain has tiny features.
 [[nodiscard]] DecoratedProblem some_decorated_problem(Exhibit& exhibit);
 
+/// Fails the case if a segment with a marker that is to be kept is split.
+void require_kept_segments(const DecoratedProblem& drawn, const Meshed& meshed);
+
 /// Fails the case if the mesh is not certified, apart from bounds that are missed in triangles which the report lists.
 void require_certified(const DecoratedProblem& drawn, const Meshed& meshed);
 

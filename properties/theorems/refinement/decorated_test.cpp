@@ -18,12 +18,14 @@ constexpr const char* decorated_families =
 PARDEL_PROPERTY(Decorated, meshes_are_certified_and_every_triangle_that_misses_a_bound_is_listed,
                 {.statement = "Whatever data a domain carries, and whichever bounds and options are set at once, the "
                               "mesh conforms to the domain with all its data and is (constrained) Delaunay. Each "
-                              "triangle that misses a bound is listed in the report.",
+                              "triangle that misses a bound is listed in the report, and no segment that is to be "
+                              "kept is split.",
                  .source = "properties/THEORY.md, refinement",
                  .families = decorated_families}) {
   const DecoratedProblem drawn = some_decorated_problem(exhibit);
   const Meshed result = meshed(drawn.problem, exhibit, drawn.options);
   require_certified(drawn, result);
+  require_kept_segments(drawn, result);
   classify(drawn.wishes.on.count() >= 2, "two bounds or options at once", 60);
   classify(drawn.problem.pslg.attributes_per_point >= 2, "several attributes", 30);
   classify(!drawn.problem.pslg.point_markers.empty(), "points with markers", 40);

@@ -57,6 +57,17 @@ TEST(RefineFilled, keeps_patches_where_the_rest_needs_many_vertices) {
   EXPECT_TRUE(filled->report.goal_met());
 }
 
+TEST(RefineFilled, keeps_a_bound_on_edges_beside_larger_caps_of_regions) {
+  Pslg pslg = domains::square();
+  pslg.regions = {{{0.5, 0.5}, 1, 0.01}};
+  const Goal goal{.max_edge = 0.04, .region_caps = true};
+  const Result<Meshed> filled = mesh(pslg, goal, {.interior = Interior::fill, .threads = 1});
+  ASSERT_TRUE(filled);
+  EXPECT_GT(filled->report.laid, 500U);
+  const Certificate certificate = check(pslg, filled->mesh, goal);
+  EXPECT_TRUE(certificate.valid) << to_text(certificate);
+}
+
 TEST(RefineFilled, comes_near_the_least_number_of_triangles) {
   const Pslg pslg = domains::square();
   for (const double angle : {20.7, 30.0}) {

@@ -248,6 +248,16 @@ TEST(Repair, drops_a_hole_whose_outline_becomes_a_point) {
   EXPECT_EQ(repaired(pslg, 5).domain.pslg().holes.size(), 1U);
 }
 
+TEST(Repair, names_regions_by_their_numbers_in_the_input_also_after_another_one_was_dropped) {
+  Pslg pslg = square(4);
+  pslg.points.insert(pslg.points.end(), {{1, 1}, {3, 1}, {3, 1 + 1e-13}, {1, 1 + 1e-13}});
+  pslg.segments.insert(pslg.segments.end(), {{4, 5}, {5, 6}, {6, 7}, {7, 4}});
+  pslg.regions = {{{2, 1 + 5e-14}, 1}, {{2, 2}, 2}, {{2, 3}, 3}};
+  const Repaired result = repaired(pslg, std::nullopt);
+  EXPECT_EQ(result.domain.pslg().regions, (std::vector<Region>{{{2, 3}, 3}}));
+  EXPECT_EQ(result.log.back(), "Dropped: Regions 1 and 2 lie in one face, the second at (2, 3).");
+}
+
 TEST(Repair, accepts_an_open_outline_if_the_domain_is_the_convex_hull) {
   Pslg pslg = square(4);
   pslg.segments.pop_back();

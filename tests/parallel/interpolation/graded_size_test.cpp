@@ -41,6 +41,17 @@ TEST(GradedSize, is_never_more_than_the_size_function_or_a_source_allows) {
   EXPECT_DOUBLE_EQ(graded_size(goal, testing::square(4), {})({3, 2}), 3) << "sources count with a limit only";
 }
 
+TEST(GradedSize, changes_as_fast_as_the_fastest_of_its_bounds) {
+  Goal goal{.size = [](Point p) { return 1 + 3 * p.x; }, .size_slope = 3, .grading = 0.25};
+  const auto slope = [&] { return local_bound(graded_size(goal, testing::square(4), {})).steepness().slope; };
+  EXPECT_GE(slope(), 3);
+  EXPECT_LT(slope(), 3.1);
+  goal.grading = 5;
+  EXPECT_GE(slope(), 5);
+  goal.size_slope = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(slope(), std::numeric_limits<double>::infinity());
+}
+
 TEST(GradedSize, is_known_to_the_engine_as_a_bound_with_hints) {
   const auto size = graded_size({.grading = 0.5}, testing::square(4), {});
   EXPECT_NE(size.target<OnBackground<GradedValues>>(), nullptr);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -37,6 +38,20 @@ TEST(RegionSizes, have_the_segments_around_a_region_as_borders) {
     EXPECT_EQ(border.at_b, 0.5);
     EXPECT_GE(std::min(border.a.x, border.b.x), 1);
   }
+}
+
+TEST(RegionSizes, of_two_neighbours_have_the_segment_between_them_as_a_border_of_both) {
+  const auto domain = validate(two_squares());
+  const auto sizes = region_sizes(*domain, std::vector{0.25, 0.5});
+  ASSERT_TRUE(sizes) << sizes.error().message;
+  EXPECT_EQ(sizes->borders.size(), 8U);
+  for (const double length : {0.25, 0.5})
+    EXPECT_EQ(std::ranges::count_if(sizes->borders,
+                                    [&](const SizeSource& border) {
+                                      return border.a.x == 1 && border.b.x == 1 && border.at_a == length;
+                                    }),
+              1)
+        << length;
 }
 
 TEST(RegionSizes, need_one_positive_length_per_region) {

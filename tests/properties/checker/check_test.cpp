@@ -470,6 +470,17 @@ TEST(Check, reports_markers_that_are_missing_or_wrong) {
   EXPECT_TRUE(is_valid(check(c))) << "a vertex on two segments may have the marker of either";
 }
 
+TEST(Check, excuses_a_marker_by_a_segment_outside_the_domain_in_a_foreign_mesh_only) {
+  Case c = testing::square_in_two();
+  c.pslg.points.push_back({9, 9});
+  c.pslg.segments.push_back({2, 4, 6});
+  c.mesh.points.push_back({9, 9});
+  c.mesh.origin.push_back(input_vertex);
+  c.mesh.point_markers.append(std::vector<int>{1, 1, 6, 1, 0});
+  EXPECT_TRUE(is_valid(check(c, no_angle_bound(), {.foreign = true})));
+  EXPECT_TRUE(reports_only(check(c), Kind::wrong_vertex_marker));
+}
+
 TEST(Check, reports_regions_that_are_wrong) {
   Case c = testing::square_in_eight();
   c.mesh.region[2] = 0;
@@ -669,6 +680,24 @@ TEST(Check, allows_edges_that_are_longer_than_the_length_limited_by_grading_by_6
   };
   EXPECT_EQ(too_large(4 - 63 * unit), 0u);
   EXPECT_EQ(too_large(4 - 65 * unit), 1u);
+}
+
+TEST(Check, compares_edges_with_sizes_and_with_a_limit_on_gradation_if_there_are_both) {
+  Case c;
+  c.pslg.points = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+  c.pslg.segments = {{0, 1, 0}, {1, 2, 0}, {2, 3, 0}, {3, 0, 0}};
+  std::vector<Point> points = c.pslg.points;
+  points.push_back({2, 2});
+  c.mesh = testing::mesh_of(points, {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}});
+  Goal goal = no_angle_bound();
+  const auto too_large = [&] { return count(check(c, goal), Kind::size_exceeded); };
+  goal.grading = 100;
+  goal.sources = {{{2, 2.0 / 3}, {2, 2.0 / 3}, 1, 1}};
+  EXPECT_EQ(too_large(), 1u) << "the lowest triangle";
+  goal.size = [](Point) { return 100.0; };
+  EXPECT_EQ(too_large(), 1u);
+  goal.size = [](Point p) { return p.x > 3 ? 1.0 : 100.0; };
+  EXPECT_EQ(too_large(), 2u) << "and the one on the right";
 }
 
 TEST(Check, takes_bounds_on_edges_and_areas_that_are_infinite_as_no_bounds) {

@@ -117,16 +117,17 @@ bool spoils_entries(const Defect& defect) {
          std::ranges::none_of(whole, [&](Field field) { return fields.has(field); });
 }
 
-PARDEL_PROPERTY(Check, of_one_component_does_not_depend_on_another,
-                {.statement = "A mesh of two components, each with an outline of its own, has as many violations of "
-                              "each kind as its components alone: none if both are valid, and those of a seeded "
-                              "defect, whatever the scale and the place of the other component are. There can be more "
-                              "if triangles are not counter-clockwise, overlap, or cover the outside, where the other "
-                              "component may be; and fewer wrong attributes, because the input points of both components "
-                              "together have a larger range.",
-                 .source = source,
-                 .families = "lattice domains of every family, random goals; a component up to 2^60 times smaller "
-                             "beside the domain or in a hole, or a component far off"}) {
+PARDEL_PROPERTY(
+    Check, of_one_component_does_not_depend_on_another,
+    {.statement = "A mesh of two components, each with an outline of its own, has as many violations of "
+                  "each kind as its components alone: none if both are valid, and those of a seeded "
+                  "defect, whatever the scale and the place of the other component are. There can be more "
+                  "if triangles are not counter-clockwise, overlap, or cover the outside, where the other "
+                  "component may be; and fewer wrong attributes, because the input points of both components "
+                  "together have a larger range.",
+     .source = source,
+     .families = "lattice domains of every family, random goals; a component up to 2^60 times smaller "
+                 "beside the domain or in a hole, or a component far off"}) {
   const MixedProblem drawn = properties::some_mixed_problem(exhibit, properties::mixtures_of_components);
   const Goal& goal = drawn.problem.goal;
   std::vector<MeshedPart> parts;
