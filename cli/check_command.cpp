@@ -72,7 +72,8 @@ Result<CheckInput, Refusal> read(const CheckArguments& arguments, ProgressBar& b
   auto& [mesh, format] = *of_file;
   note_beside_mesh(mesh, arguments.mesh, ", which the check does not use");
   leave_out_what_means_something_else(format, domain->pslg(), mesh);
-  const Result<GivenSizes> sizes = read_given_sizes(arguments.goal);
+  // Lengths that were repaired for the mesh have to be the same here.
+  const Result<GivenSizes> sizes = read_given_sizes(arguments.goal, CrossingPolygons::repaired);
   if (!sizes) return Refusal(sizes.error());
   Result<Goal> goal = make_goal(arguments.goal, *sizes, *domain);
   if (!goal) return Refusal(goal.error());

@@ -11,6 +11,7 @@
 
 #include "../core/formats.hpp"
 #include "../parallel/mesher.hpp"
+#include "read_geojson.hpp"
 
 namespace pardel::cli {
 namespace {
@@ -115,7 +116,8 @@ void add_goal_options(CLI::App& app, GoalOptions& options, double largest_angle_
           ->group(group);
   app.add_option("--sources", options.sources,
                  "Edge lengths from which --grading lets lengths grow; each line is 'point X Y LENGTH',\n"
-                 "'marker M LENGTH' (segments and points) or 'region R LENGTH' (regions with attribute R)")
+                 "'marker M LENGTH' (segments and points) or 'region R LENGTH' (regions with attribute R);\n"
+                 "or a .geojson whose points, lines and polygons have the property 'length'")
       ->type_name("FILE")
       ->needs(grading)
       ->group(group);
@@ -138,12 +140,18 @@ Goal goal_without_sizes(const GoalOptions& options) {
   return goal;
 }
 
-Result<GivenSizes> read_given_sizes(const GoalOptions& options) {
+Result<GivenSizes> read_given_sizes(const GoalOptions& options, CrossingPolygons crossing) {
   GivenSizes given;
   Result<SizeField> field = read_size_field(options.sizes);
   if (!field) return field.error();
   given.field = std::move(*field);
   if (options.sources.empty()) return given;
+  if (is_geojson(options.sources)) {
+    Result<DrawnLengths> drawn = read_drawn_lengths(options.sources, crossing);
+    if (!drawn) return drawn.error();
+    given.drawn = std::move(*drawn);
+    return given;
+  }
   Result<SizeRules> rules = read_size_rules(options.sources);
   if (!rules) return rules.error();
   given.rules = std::move(*rules);
@@ -161,6 +169,7 @@ Result<Goal> make_goal(const GoalOptions& options, const GivenSizes& sizes, cons
   if (!sources) return sources.error();
   goal.sources = std::move(*sources);
   if (Status added = add_rules(sizes.rules, options.sources.string(), domain, goal); !added) return added.error();
+  add_lengths(sizes.drawn.size, sizes.drawn.sources, goal);
   return goal;
 }
 

@@ -9,6 +9,7 @@
 #include "../core/goal.hpp"
 #include "../core/result.hpp"
 #include "../parallel/validate.hpp"
+#include "drawn_lengths.hpp"
 #include "size_field.hpp"
 #include "size_rules.hpp"
 
@@ -44,8 +45,9 @@ void add_goal_options(CLI::App& app, GoalOptions& options, double largest_angle_
 struct GivenSizes {
   SizeField field;
   SizeRules rules;
+  DrawnLengths drawn{};  ///< instead of rules, if the file is GeoJSON
 };
-[[nodiscard]] Result<GivenSizes> read_given_sizes(const GoalOptions& options);
+[[nodiscard]] Result<GivenSizes> read_given_sizes(const GoalOptions& options, CrossingPolygons crossing);
 
 /// The goal. `sizes`: what read_given_sizes() returned.
 [[nodiscard]] Result<Goal> make_goal(const GoalOptions& options, const GivenSizes& sizes, const ValidPslg& domain);

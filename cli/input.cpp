@@ -163,7 +163,7 @@ std::vector<Warning> print_warnings(const ValidPslg& domain, const std::string& 
 
 NumbersInMessages numbers_of(const Domain& domain) {
   NumbersInMessages numbers{domain.pslg.first_id.value, domain.points.of_points};
-  if (domain.is_outline_of_mesh) numbers.unnumbered = domain.pslg.segments;
+  if (domain.has_unnumbered_segments) numbers.unnumbered = domain.pslg.segments;
   return numbers;
 }
 

@@ -27,9 +27,9 @@ namespace pardel::cli {
 /// A Pslg as read, not validated.
 struct Domain {
   Pslg pslg;
-  std::string name;                 ///< the name of the file
-  NumbersInFile points{};           ///< of a mesh, as Mesh::numbers
-  bool is_outline_of_mesh = false;  ///< the segments are edges of a mesh, and have no numbers
+  std::string name;                      ///< the name of the file
+  NumbersInFile points{};                ///< as Mesh::numbers; empty: they count from Pslg::first_id on
+  bool has_unnumbered_segments = false;  ///< in the file, the segments have no numbers
 };
 /// The numbers in the file, for messages. They refer to the domain.
 [[nodiscard]] NumbersInMessages numbers_of(const Domain& domain);

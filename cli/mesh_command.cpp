@@ -51,18 +51,19 @@ ValidateOptions how_to_validate(const MeshArguments& arguments) {
 Result<MeshInput, Refusal> read(const MeshArguments& arguments, ProgressBar& bar, Seconds& seconds) {
   Stopwatch watch;
   bar.begin("reading " + arguments.input.string());
+  const CrossingPolygons crossing = arguments.repair ? CrossingPolygons::repaired : CrossingPolygons::refused;
   if (arguments.refine) {
     Result<CoarseMesh> coarse = read_coarse_mesh(arguments.input);
     if (!coarse) return Refusal(coarse.error());
     note_beside_mesh(coarse->mesh, arguments.input, ", which the refined mesh does not have");
-    Result<GivenSizes> sizes = read_given_sizes(arguments.goal);
+    Result<GivenSizes> sizes = read_given_sizes(arguments.goal, crossing);
     if (!sizes) return Refusal(sizes.error());
     seconds.read = watch.lap();
     return MeshInput{std::move(*coarse), std::move(*sizes)};
   }
   Result<Domain> domain = read_domain(arguments.input);
   if (!domain) return Refusal(domain.error());
-  Result<GivenSizes> sizes = read_given_sizes(arguments.goal);
+  Result<GivenSizes> sizes = read_given_sizes(arguments.goal, crossing);
   if (!sizes) return Refusal(sizes.error());
   seconds.read = watch.lap();
   bar.begin("validating " + arguments.input.string());

@@ -38,7 +38,7 @@ struct Properties {
   int marker = 0;
   bool has_marker = false;
   bool is_hole = false;
-  std::optional<double> attribute, max_area;
+  std::optional<double> attribute, max_area, length;
 };
 
 /// A failure in the file, which ends the reading.
@@ -64,6 +64,8 @@ const json& value_of(const json& object, const char* key) {
 
 class Shapes {
  public:
+  explicit Shapes(LengthProperty lengths) : lengths_(lengths) {}
+
   void read(const json& object, const Place& place, const Properties& properties, int level) {
     if (!object.is_object()) fail(place, "a GeoJSON object", object);
     const json& type_value = value_of(object, "type");
@@ -79,9 +81,10 @@ class Shapes {
       return each(value_of(object, "geometries"), place / "geometries", "geometries",
                   [&](const json& one, const Place& p) { read(one, p, properties, level + 1); });
     if (type == "Feature") return read_feature(object, place, level);
-    if (type == "Point") return static_cast<void>(point(position(coordinates, at)));
+    if (type == "Point") return read_point(coordinates, at, properties);
     if (type == "MultiPoint")
-      return each(coordinates, at, "positions", [&](const json& one, const Place& p) { point(position(one, p)); });
+      return each(coordinates, at, "positions",
+                  [&](const json& one, const Place& p) { read_point(one, p, properties); });
     if (type == "LineString") return read_line(coordinates, at, properties);
     if (type == "MultiLineString")
       return each(coordinates, at, "lines", [&](const json& one, const Place& p) { read_line(one, p, properties); });
@@ -108,7 +111,7 @@ class Shapes {
     if (!geometry.is_null()) read(geometry, place / "geometry", properties, level + 1);
   }
 
-  static Properties properties_of(const json& object, const Place& place) {
+  [[nodiscard]] Properties properties_of(const json& object, const Place& place) const {
     Properties properties;
     if (object.is_null()) return properties;
     if (!object.is_object()) fail(place, "an object of properties", object);
@@ -131,6 +134,11 @@ class Shapes {
       if (!area.is_number() || !(area.get<double>() > 0)) fail(place / "max_area", "an area greater than 0", area);
       properties.max_area = area.get<double>();
     }
+    if (lengths_ == LengthProperty::ignored) return properties;
+    if (const json& length = value_of(object, "length"); !length.is_null()) {
+      if (!length.is_number() || !(length.get<double>() > 0)) fail(place / "length", "a length greater than 0", length);
+      properties.length = length.get<double>();
+    }
     return properties;
   }
 
@@ -148,7 +156,13 @@ class Shapes {
     return found->second;
   }
 
+  /// A piece with equal ends is a point.
+  void add_source(Point from, Point to, const Properties& properties) {
+    if (properties.length) domain_.sources.push_back({from, to, *properties.length, *properties.length});
+  }
+
   void segment(Point from, Point to, const Properties& properties) {
+    add_source(from, to, properties);
     const Index a = point(from), b = point(to);
     if (a == b) return;
     std::vector<Segment>& segments = domain_.pslg.segments;
@@ -166,6 +180,12 @@ class Shapes {
     return all;
   }
 
+  void read_point(const json& value, const Place& place, const Properties& properties) {
+    const Point p = position(value, place);
+    point(p);
+    add_source(p, p, properties);
+  }
+
   void read_line(const json& positions, const Place& place, const Properties& properties) {
     const std::vector<Point> line = points(positions, place);
     if (line.size() < 2) fail(place, "at least two positions of a line", positions);
@@ -173,7 +193,7 @@ class Shapes {
   }
 
   void read_polygon(const json& rings, const Place& place, const Properties& properties) {
-    DrawnPolygon polygon{{}, properties.is_hole, properties.attribute, properties.max_area};
+    DrawnPolygon polygon{{}, properties.is_hole, properties.attribute, properties.max_area, properties.length};
     each(rings, place, "rings", [&](const json& positions, const Place& ring_place) {
       std::vector<Point> ring = points(positions, ring_place);
       if (ring.size() < 4) fail(ring_place, "at least four positions of a ring", positions);
@@ -186,6 +206,7 @@ class Shapes {
     if (!polygon.rings.empty()) domain_.polygons.push_back(std::move(polygon));
   }
 
+  LengthProperty lengths_;
   DrawnDomain domain_;
   std::map<std::pair<double, double>, Index> index_of_point_;
   std::map<std::pair<Index, Index>, std::size_t> segment_between_;
@@ -207,10 +228,10 @@ std::string reason_of(const json::exception& error) {
 
 }  // namespace
 
-Result<DrawnDomain> parse_geojson(std::string_view text, const std::string& name) {
+Result<DrawnDomain> parse_geojson(std::string_view text, const std::string& name, LengthProperty lengths) {
   const auto invalid = [](const std::string& message) { return Error{ErrorKind::invalid_input, message}; };
   try {
-    Shapes shapes;
+    Shapes shapes(lengths);
     shapes.read(json::parse(text.begin(), text.end()), Place{}, {}, 0);
     return std::move(shapes).take();
   } catch (const WrongFile& wrong) {

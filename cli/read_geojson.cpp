@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "../core/support/byte_order_mark.hpp"
-#include "parse_geojson.hpp"
 #include "place_seeds.hpp"
 
 namespace pardel::cli {
@@ -18,7 +17,7 @@ namespace fs = std::filesystem;
 
 bool is_geojson(const fs::path& file) { return file.extension() == ".geojson" || file.extension() == ".json"; }
 
-Result<Pslg> read_geojson(const fs::path& file) {
+Result<DrawnDomain> read_drawing(const fs::path& file, LengthProperty lengths) {
   const auto failure = [&](const char* what) {
     return Error{ErrorKind::io, fmt::format("{}: {}: {}", file.string(), what, std::strerror(errno))};
   };
@@ -28,7 +27,11 @@ Result<Pslg> read_geojson(const fs::path& file) {
   for (std::array<char, 1 << 16> chunk; in.read(chunk.data(), chunk.size()), in.gcount() > 0;)
     text.append(chunk.data(), static_cast<std::size_t>(in.gcount()));
   if (in.bad()) return failure("cannot be read");
-  Result<DrawnDomain> drawn = parse_geojson(without_byte_order_mark(text), file.string());
+  return parse_geojson(without_byte_order_mark(text), file.string(), lengths);
+}
+
+Result<Pslg> read_geojson(const fs::path& file) {
+  Result<DrawnDomain> drawn = read_drawing(file, LengthProperty::ignored);
   if (!drawn) return drawn.error();
   return place_seeds(std::move(*drawn));
 }

@@ -1,18 +1,22 @@
-// Domains in GeoJSON (RFC 7946).
+// Domains and other drawings in GeoJSON (RFC 7946).
 #pragma once
 
 #include <filesystem>
 
 #include "../core/pslg.hpp"
 #include "../core/result.hpp"
+#include "parse_geojson.hpp"
 
 namespace pardel::cli {
 
 /// True for .geojson and .json.
 [[nodiscard]] bool is_geojson(const std::filesystem::path& file);
 
+/// Reads the shapes of a file. Errors: `io`; those of parse_geojson().
+[[nodiscard]] Result<DrawnDomain> read_drawing(const std::filesystem::path& file, LengthProperty lengths);
+
 /// Reads a domain as parse_geojson() and place_seeds() describe it. Points count from 0, in the order of the file.
-/// Errors: `io`; those of parse_geojson().
+/// Errors: those of read_drawing().
 [[nodiscard]] Result<Pslg> read_geojson(const std::filesystem::path& file);
 
 }  // namespace pardel::cli

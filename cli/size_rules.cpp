@@ -47,15 +47,9 @@ Status add_regions(const SizeRules& rules, const std::string& name, const ValidP
   if (rules.regions.empty()) return Done{};
   const Result<std::vector<double>> lengths = lengths_in_regions(rules, name, domain.pslg());
   if (!lengths) return lengths.error();
-  Result<RegionSizes> sizes = region_sizes(domain, *lengths);
+  const Result<RegionSizes> sizes = region_sizes(domain, *lengths);
   if (!sizes) return sizes.error();
-  goal.sources.insert(goal.sources.end(), sizes->borders.begin(), sizes->borders.end());
-  if (!goal.size)
-    goal.size = std::move(sizes->size);
-  else
-    goal.size = [field = std::move(goal.size), inside = std::move(sizes->size)](Point p) {
-      return std::min(field(p), inside(p));
-    };
+  add_lengths(sizes->size, sizes->borders, goal);
   return Done{};
 }
 
@@ -70,6 +64,15 @@ Status add_rules(const SizeRules& rules, const std::string& name, const ValidPsl
           ErrorKind::invalid_input,
           fmt::format("{}:{}: no segment and no point of the domain has the marker {}", name, rule.line, rule.marker)};
   return add_regions(rules, name, domain, goal);
+}
+
+void add_lengths(const std::function<double(Point)>& size, std::span<const SizeSource> sources, Goal& goal) {
+  goal.sources.insert(goal.sources.end(), sources.begin(), sources.end());
+  if (!size) return;
+  if (!goal.size)
+    goal.size = size;
+  else
+    goal.size = [field = std::move(goal.size), size](Point p) { return std::min(field(p), size(p)); };
 }
 
 }  // namespace pardel::cli

@@ -1,11 +1,12 @@
 // Reads the bytes as GeoJSON. An error must name the file. The points of a domain are distinct and finite, and so are
 // its segments; where these are valid and on a lattice, the seeds of holes and regions are valid, too. An input that
 // begins with the byte 0 stands for a drawing of squares (drawn_cells.hpp), whose regions must have the areas that were
-// drawn.
+// drawn. The lengths of features are finite and positive, and change nothing else.
 #include <algorithm>
 #include <cmath>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "../cli/parse_geojson.hpp"
@@ -49,6 +50,21 @@ void check_seeds(const Pslg& seeded) {
   if (!problems.empty() && problems.front().kind != ProblemKind::no_domain) fail(messages(problems));
 }
 
+void check_lengths(std::string_view text, const Pslg& shapes) {
+  const Result<cli::DrawnDomain> drawn = cli::parse_geojson(text, name, cli::LengthProperty::read);
+  if (!drawn) {
+    if (drawn.error().message.find("properties.length: expected a length") == std::string::npos)
+      fail("a length makes another error: " + drawn.error().message);
+    return;
+  }
+  if (!(drawn->pslg == shapes)) fail("a length changes the shapes");
+  const auto is_length = [](double length) { return length > 0 && std::isfinite(length); };
+  for (const SizeSource& source : drawn->sources)
+    if (!is_length(source.at_a) || source.at_b != source.at_a) fail("a source has no length");
+  for (const cli::DrawnPolygon& polygon : drawn->polygons)
+    if (polygon.length && !is_length(*polygon.length)) fail("a polygon has a wrong length");
+}
+
 void check_cells(std::span<const std::uint8_t> seed) {
   generators::Random random(Supply(seed).word());
   const DrawnCells cells = any_cells(random);
@@ -65,8 +81,8 @@ int fuzz_one(std::span<const std::uint8_t> bytes) {
     check_cells(bytes.subspan(1));
     return 0;
   }
-  Result<cli::DrawnDomain> drawn =
-      cli::parse_geojson({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, name);
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  Result<cli::DrawnDomain> drawn = cli::parse_geojson(text, name);
   if (!drawn) {
     const Error& error = drawn.error();
     if (error.kind != ErrorKind::invalid_input || !error.message.starts_with(name))
@@ -74,6 +90,7 @@ int fuzz_one(std::span<const std::uint8_t> bytes) {
     return 0;
   }
   check_shapes(drawn->pslg);
+  check_lengths(text, drawn->pslg);
   if (drawn->pslg.points.size() > most_points) return -1;
   check_seeds(cli::place_seeds(std::move(*drawn)));
   return 0;

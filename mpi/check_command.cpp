@@ -127,8 +127,8 @@ Result<ExitCode> run_check(const CheckArguments& arguments, Job& job) {
   const auto refusal = [&](const Refusal& why) {
     return job.is_first() ? refused(why, arguments.domain, arguments.json) : why.error;
   };
-  const Result<Problem, Refusal> problem =
-      read_problem(arguments.domain, arguments.goal, {.threads = arguments.threads});
+  const Result<Problem, Refusal> problem = read_problem(
+      arguments.domain, arguments.goal, {.threads = arguments.threads, .in_sources = CrossingPolygons::repaired});
   if (const auto common = common_refusal(problem, job)) return refusal(*common);
   const double input_seconds = watch.seconds();
   Result<std::vector<std::filesystem::path>> files = files_of_pieces(arguments.mesh);

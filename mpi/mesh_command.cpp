@@ -93,7 +93,9 @@ struct Arguments {
   std::filesystem::path json;
   bool msh_ascii = false, quiet = false;
 
-  [[nodiscard]] HowToRead how_to_read() const { return {options.threads, repair, snap}; }
+  [[nodiscard]] HowToRead how_to_read() const {
+    return {options.threads, repair, snap, repair ? CrossingPolygons::repaired : CrossingPolygons::refused};
+  }
 };
 
 /// A run of the command, and what its report says.

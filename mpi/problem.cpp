@@ -22,7 +22,7 @@ Result<Problem, Refusal> read_problem(const std::filesystem::path& file, const G
                                       const HowToRead& how) {
   Result<Domain> domain = read_domain(file);
   if (!domain) return Refusal(domain.error());
-  const Result<GivenSizes> sizes = read_given_sizes(options);
+  const Result<GivenSizes> sizes = read_given_sizes(options, how.in_sources);
   if (!sizes) return Refusal(sizes.error());
   const Stopwatch watch;
   Result<MaybeRepaired, Refusal> valid =

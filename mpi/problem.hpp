@@ -28,6 +28,7 @@ struct HowToRead {
   int threads = 0;
   bool repair = false;
   std::optional<double> snap{};
+  cli::CrossingPolygons in_sources = cli::CrossingPolygons::refused;
 };
 
 /// Error: `usage` if there are several ranks and one of the inputs is standard input, which mpirun gives to one rank.

@@ -345,8 +345,16 @@ Result<RegionSizes> region_sizes(const ValidPslg& domain, std::span<const double
       return Error{ErrorKind::invalid_input, "the length in region " +
                                                  std::to_string(r + domain.pslg().first_id.value) +
                                                  " must be positive, not " + shortest(lengths[r])};
-  return supervised(options, [&](const Options&, ProgressMonitor& progress) {
-    return sizes_of_faces(domain.pslg(), domain.convex_hull(), lengths, progress.threads());
+  return supervised(options, [&](const Options&, ProgressMonitor& progress) -> Result<RegionSizes> {
+    constexpr std::uint64_t usual = 8, at_least = 1000;
+    Options bounded;
+    bounded.threads = options.threads;
+    bounded.max_vertices = usual * domain.pslg().points.size() + at_least;
+    const Goal no_thin_triangles;
+    const Result<Meshed> meshed =
+        mesh_valid(domain.pslg(), domain.convex_hull(), &no_thin_triangles, bounded, progress);
+    if (!meshed) return meshed.error();
+    return sizes_of_faces(domain.pslg(), domain.convex_hull(), lengths, meshed->mesh, progress.threads());
   });
 }
 

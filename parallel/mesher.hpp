@@ -114,8 +114,9 @@ struct RegionSizes {
   std::vector<SizeSource> borders;    ///< for Goal::sources: the segments around these regions, with these lengths
 };
 /// lengths: one per region of the domain, > 0; infinity: none. Where a segment lies between two regions, both are
-/// sources. The function owns its data, and several threads may call it. A call takes O(log n). Errors: those of
-/// triangulate(); `invalid_input` if a length is not positive, or if their number is not that of the regions.
+/// sources. The function owns its data, and several threads may call it. A call takes O(log n) on typical input.
+/// Errors: those of triangulate(); `invalid_input` if a length is not positive, or if their number is not that of the
+/// regions.
 [[nodiscard]] Result<RegionSizes> region_sizes(const ValidPslg& domain, std::span<const double> lengths,
                                                const Options& options = {});
 

@@ -1,5 +1,6 @@
 #include "region_sizes.hpp"
 
+#include <array>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -28,15 +29,16 @@ std::vector<SizeSource> borders(const Triangulation& t, std::span<const double> 
 }  // namespace
 
 Result<RegionSizes> sizes_of_faces(const Pslg& pslg, bool convex_hull, std::span<const double> lengths,
-                                   const Threads& threads) {
-  Result<DomainTriangulation> domain = triangulate_domain(pslg, convex_hull, threads);
+                                   const Mesh& mesh, const Threads& threads) {
+  const Result<DomainTriangulation> domain = triangulate_domain(pslg, convex_hull, threads);
   if (!domain) return domain.error();
-  const Triangulation& t = domain->triangulation;
-  if (t.region.empty()) return RegionSizes{};
-  TriangleValues field{std::make_shared<Background>(pslg.points, input_corners(*domain, threads), threads), {}};
-  for (const Index region : t.region) field.values.push_back(region == no_index ? INFINITY : lengths[region]);
+  if (mesh.region.empty()) return RegionSizes{};
+  std::vector<std::array<Index, 3>> triangles;
+  for (const Triangle& triangle : mesh.triangles) triangles.push_back(triangle.v);
+  TriangleValues field{std::make_shared<Background>(mesh.points.span(), std::move(triangles), threads), {}};
+  for (const Index region : mesh.region) field.values.push_back(region == no_index ? INFINITY : lengths[region]);
   return RegionSizes{OnBackground<TriangleValues>{std::make_shared<const TriangleValues>(std::move(field))},
-                     borders(t, lengths)};
+                     borders(domain->triangulation, lengths)};
 }
 
 }  // namespace pardel::engine

@@ -8,8 +8,10 @@
 
 namespace pardel::engine {
 
-/// As region_sizes() (mesher.hpp). Preconditions: the Pslg is valid; there is one length > 0 per region.
+/// As region_sizes() (mesher.hpp). `mesh`: a mesh of the domain with its regions, in which places are searched. Without
+/// thin triangles, which many places are near to, a search takes O(log n). Preconditions: the Pslg is valid; there is
+/// one length > 0 per region.
 [[nodiscard]] Result<RegionSizes> sizes_of_faces(const Pslg& pslg, bool convex_hull, std::span<const double> lengths,
-                                                 const Threads& threads);
+                                                 const Mesh& mesh, const Threads& threads);
 
 }  // namespace pardel::engine

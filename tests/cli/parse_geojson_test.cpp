@@ -1,0 +1,66 @@
+// The lengths of the features of a GeoJSON file.
+#include "../../cli/parse_geojson.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace pardel::cli {
+namespace {
+
+/// A feature with the properties and the geometry.
+std::string feature(const std::string& properties, const std::string& type, const std::string& coordinates) {
+  return R"({"type": "Feature", "properties": {)" + properties + R"(}, "geometry": {"type": ")" + type +
+         R"(", "coordinates": )" + coordinates + "}}";
+}
+
+Result<DrawnDomain> with_lengths(const std::string& features) {
+  return parse_geojson(R"({"type": "FeatureCollection", "features": [)" + features + "]}", "a.geojson",
+                       LengthProperty::read);
+}
+
+TEST(Lengths, of_points_lines_and_borders_of_polygons_are_sources) {
+  const Result<DrawnDomain> drawn =
+      with_lengths(feature(R"("length": 0.5)", "MultiPoint", "[[3, 4], [5, 6]]") + "," +
+                   feature(R"("length": 2)", "LineString", "[[0, 0], [1, 0], [1, 1]]") + "," +
+                   feature(R"("length": 7)", "Polygon", "[[[0, 0], [9, 0], [9, 9], [0, 0]]]"));
+  ASSERT_TRUE(drawn) << drawn.error().message;
+  ASSERT_EQ(drawn->sources.size(), 7U);
+  EXPECT_EQ(drawn->sources[0], (SizeSource{{3, 4}, {3, 4}, 0.5, 0.5}));
+  EXPECT_EQ(drawn->sources[1], (SizeSource{{5, 6}, {5, 6}, 0.5, 0.5}));
+  EXPECT_EQ(drawn->sources[3], (SizeSource{{1, 0}, {1, 1}, 2, 2}));
+  EXPECT_EQ(drawn->sources[6], (SizeSource{{9, 9}, {0, 0}, 7, 7}));
+  EXPECT_EQ(drawn->polygons[0].length, 7);
+}
+
+TEST(Lengths, that_are_null_or_missing_are_none) {
+  const Result<DrawnDomain> drawn = with_lengths(feature(R"("length": null)", "Point", "[3, 4]") + "," +
+                                                 feature("", "Polygon", "[[[0, 0], [9, 0], [9, 9], [0, 0]]]"));
+  ASSERT_TRUE(drawn) << drawn.error().message;
+  EXPECT_TRUE(drawn->sources.empty());
+  EXPECT_FALSE(drawn->polygons[0].length);
+}
+
+TEST(Lengths, that_are_wrong_are_named_with_their_place) {
+  const auto failure = [](const std::string& length) {
+    const std::string good = feature(R"("length": 1)", "Point", "[0, 0]");
+    const Result<DrawnDomain> drawn =
+        with_lengths(good + "," + good + "," + feature(R"("length": )" + length, "Point", "[3, 4]"));
+    return drawn ? std::string() : drawn.error().message;
+  };
+  const std::string at = "a.geojson: features[2].properties.length: expected a length greater than 0, found ";
+  EXPECT_EQ(failure("0"), at + "0");
+  EXPECT_EQ(failure("-2.5"), at + "-2.5");
+  EXPECT_EQ(failure("\"5 m\""), at + "\"5 m\"");
+  EXPECT_EQ(failure("[1]"), at + "array");
+  EXPECT_NE(failure("1e999").find("the number 1e999 is too large for a double"), std::string::npos);
+}
+
+TEST(Lengths, of_a_domain_may_be_anything) {
+  const Result<DrawnDomain> drawn = parse_geojson(feature(R"("length": "5 m")", "Point", "[3, 4]"), "a.geojson");
+  ASSERT_TRUE(drawn) << drawn.error().message;
+  EXPECT_TRUE(drawn->sources.empty());
+}
+
+}  // namespace
+}  // namespace pardel::cli
