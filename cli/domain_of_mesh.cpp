@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -60,6 +62,30 @@ Pslg outline_of(const Mesh& mesh) {
   return outline;
 }
 
+/// The triangles at the boundary edges of a problem, one of which overlaps others, each after a line break.
+std::string triangles_at(const Mesh& mesh, const Problem& problem) {
+  const bool is_of_edges = problem.kind == ProblemKind::crossing_segments ||
+                           problem.kind == ProblemKind::overlapping_segments ||
+                           problem.kind == ProblemKind::duplicate_segments;
+  std::vector<Index> edges;
+  if (is_of_edges) edges = problem.ids;
+  if (problem.kind == ProblemKind::point_on_segment) edges.push_back(problem.ids[1]);
+  std::string text;
+  Index edge = 0;
+  for (Index t = 0; t < mesh.triangles.size(); ++t)
+    for (int i = 0; i < 3; ++i) {
+      const Triangle& triangle = mesh.triangles[t];
+      if (triangle.n[i] != no_index) continue;
+      if (std::ranges::find(edges, edge++) == edges.end()) continue;
+      const auto number = [&](Index v) { return std::to_string(number_in_file(mesh, v)); };
+      const std::uint64_t id = std::uint64_t{t} + static_cast<unsigned>(mesh.first_id.value);
+      text += "\nEdge " + number(side(triangle, i).from) + "-" + number(side(triangle, i).to) +
+              " is a side of triangle " + std::to_string(id) + " (vertices " + number(triangle.v[0]) + ", " +
+              number(triangle.v[1]) + ", " + number(triangle.v[2]) + ").";
+    }
+  return text;
+}
+
 /// The problems of the outline, with the numbers that its points have in the file of the mesh. Edges have none.
 Error with_numbers_of(const Mesh& mesh, const Error& of_outline) {
   Pslg all;
@@ -68,7 +94,8 @@ Error with_numbers_of(const Mesh& mesh, const Error& of_outline) {
   const std::vector<Problem> problems = find_problems(all, {.convex_hull = true});
   if (problems.empty()) return of_outline;
   return {ErrorKind::invalid_input,
-          messages(problems, NumbersInMessages{mesh.first_id.value, mesh.numbers.of_points, all.segments})};
+          messages(problems, NumbersInMessages{mesh.first_id.value, mesh.numbers.of_points, all.segments}) +
+              triangles_at(mesh, problems.front())};
 }
 
 /// A point in each hole. Triangulates the convex hull of the outline. A face that lies to the right of an outline edge

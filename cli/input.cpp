@@ -13,6 +13,7 @@
 #include "../core/support/open_file.hpp"
 #include "domain_of_mesh.hpp"
 #include "exit_code.hpp"
+#include "follow_edges.hpp"
 #include "read_geojson.hpp"
 #include "suffix.hpp"
 
@@ -28,6 +29,18 @@ long long first_number(std::istream& in, long long fallback) {
     if (long long value = 0; words >> value) return value;
   }
   return fallback;
+}
+
+/// The .poly beside a mesh in Triangle's files, if it has as many points as the mesh.
+Result<std::optional<Pslg>> poly_beside(const fs::path& file, const Mesh& mesh) {
+  const fs::path poly = fs::path(file).replace_extension(".poly");
+  const bool triangle_files = file.extension() == ".node" || file.extension() == ".ele";
+  std::error_code ignored;
+  if (!triangle_files || !fs::exists(poly, ignored)) return std::optional<Pslg>();
+  Result<Pslg> pslg = read_pslg(poly);
+  if (!pslg) return pslg.error();
+  if (pslg->points.size() != mesh.points.size()) return std::optional<Pslg>();
+  return std::optional<Pslg>(std::move(*pslg));
 }
 
 }  // namespace
@@ -61,14 +74,9 @@ Result<Domain> read_domain(const fs::path& file) {
 }
 
 Result<DomainOfMesh> domain_with(const fs::path& file, const Mesh& mesh) {
-  const fs::path poly = fs::path(file).replace_extension(".poly");
-  const bool triangle_files = file.extension() == ".node" || file.extension() == ".ele";
-  std::error_code ignored;
-  if (triangle_files && fs::exists(poly, ignored)) {
-    Result<Pslg> pslg = read_pslg(poly);
-    if (!pslg) return pslg.error();
-    if (pslg->points.size() == mesh.points.size()) return DomainOfMesh{std::move(*pslg)};
-  }
+  Result<std::optional<Pslg>> poly = poly_beside(file, mesh);
+  if (!poly) return poly.error();
+  if (*poly) return DomainOfMesh{std::move(**poly)};
   Result<Pslg> domain = domain_of(mesh);
   if (!domain) return with_name(domain.error(), file.string());
   return DomainOfMesh{std::move(*domain), true};
@@ -77,9 +85,18 @@ Result<DomainOfMesh> domain_with(const fs::path& file, const Mesh& mesh) {
 Result<CoarseMesh> read_coarse_mesh(const fs::path& file) {
   Result<Mesh> mesh = read_mesh(file);
   if (!mesh) return mesh.error();
-  Result<DomainOfMesh> domain = domain_with(file, *mesh);
-  if (!domain) return domain.error();
-  CoarseMesh coarse{std::move(*mesh), {}, {std::move(domain->pslg), file.string(), {}, domain->is_outline}};
+  Result<std::optional<Pslg>> poly = poly_beside(file, *mesh);
+  if (!poly) return poly.error();
+  const bool is_outline = !poly->has_value();
+  FollowedEdges followed;
+  if (is_outline) {
+    Result<FollowedEdges> along = follow_edges(*mesh);
+    if (!along) return with_name(along.error(), file.string());
+    followed = *along;
+  }
+  Result<Pslg> domain = is_outline ? domain_of(*mesh) : Result<Pslg>(std::move(**poly));
+  if (!domain) return with_name(domain.error(), file.string());
+  CoarseMesh coarse{std::move(*mesh), {}, {std::move(*domain), file.string(), {}, is_outline}, followed};
   coarse.domain.points = coarse.mesh.numbers;
   adopt_segments(coarse);
   const fs::path area = fs::path(file).replace_extension(".area");

@@ -15,6 +15,7 @@
 #include "../parallel/repair.hpp"
 #include "../parallel/validate.hpp"
 #include "../parallel/warnings.hpp"
+#include "follow_edges.hpp"
 #include "problems_text.hpp"
 #include "refusal.hpp"
 #include "size_field.hpp"
@@ -53,7 +54,9 @@ struct CoarseMesh {
   Mesh mesh;
   std::vector<double> max_areas;  ///< one cap per triangle, or empty
   Domain domain;
+  FollowedEdges followed{};  ///< of a mesh whose domain is made of it
 };
+/// Errors: those of read_mesh(); `invalid_input` if there is no domain, and those of follow_edges().
 [[nodiscard]] Result<CoarseMesh> read_coarse_mesh(const std::filesystem::path& file);
 
 /// The thing that a run meshes: a valid domain, or a mesh to refine.

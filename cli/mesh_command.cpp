@@ -27,6 +27,7 @@
 #include "mesh_options.hpp"
 #include "output.hpp"
 #include "paranoid.hpp"
+#include "plural.hpp"
 #include "points_outside.hpp"
 #include "refusal.hpp"
 #include "renumber.hpp"
@@ -47,6 +48,13 @@ ValidateOptions how_to_validate(const MeshArguments& arguments) {
   return {.convex_hull = arguments.goal.convex_hull, .threads = arguments.options.threads};
 }
 
+void note_followed(const CoarseMesh& coarse) {
+  const auto [lines, edges] = coarse.followed;
+  if (lines == 0) return;
+  warn(fmt::format("{}: note: {} through further nodes {} taken as {} edges", coarse.domain.name,
+                   plural(lines, "constrained edge"), lines == 1 ? "is" : "are", edges));
+}
+
 /// Reads the input and the sizes, and validates a domain: the only validation of a run.
 Result<MeshInput, Refusal> read(const MeshArguments& arguments, ProgressBar& bar, Seconds& seconds) {
   Stopwatch watch;
@@ -56,6 +64,7 @@ Result<MeshInput, Refusal> read(const MeshArguments& arguments, ProgressBar& bar
     Result<CoarseMesh> coarse = read_coarse_mesh(arguments.input);
     if (!coarse) return Refusal(coarse.error());
     note_beside_mesh(coarse->mesh, arguments.input, ", which the refined mesh does not have");
+    note_followed(*coarse);
     Result<GivenSizes> sizes = read_given_sizes(arguments.goal, crossing);
     if (!sizes) return Refusal(sizes.error());
     seconds.read = watch.lap();
@@ -95,13 +104,14 @@ Result<Goal, Refusal> make_goal(const MeshArguments& arguments, const MeshInput&
   return with_sizes(*domain);
 }
 
-/// Why there is no mesh. For a mesh that cannot be refined: the problems of its domain if there are any, otherwise
-/// `error`.
+/// Why there is no mesh. For a mesh that cannot be refined: the problems of its points and segments if there are any,
+/// otherwise `error`. Holes and regions are made of the mesh, so their problems do not say what is wrong in the file.
 Refusal why_not_meshed(const MeshArguments& arguments, const MeshInput& input, const Error& error) {
   const auto* coarse = std::get_if<CoarseMesh>(&input.source);
   if (coarse != nullptr && error.kind == ErrorKind::invalid_input && arguments.goal.sizes.empty()) {
     const std::vector<Problem> problems = find_problems(coarse->domain.pslg, how_to_validate(arguments));
-    if (!problems.empty()) return refusal_of(coarse->domain, problems);
+    if (!problems.empty() && problems.front().kind < ProblemKind::unclosed_outline)
+      return refusal_of(coarse->domain, problems);
   }
   return with_name(error, arguments.input.string());
 }

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 #include "../../core/support/mesh_edges.hpp"
 #include "../arithmetic/predicates.hpp"
@@ -12,12 +15,17 @@
 namespace pardel::engine {
 namespace {
 
-/// Names the triangle, and its corners as in the file of the mesh: not every file numbers triangles.
-Error bad_mesh(const Mesh& mesh, TriangleId id, const char* what) {
-  const auto corner = [&](int i) { return std::to_string(number_in_file(mesh, mesh.triangles[id].v[i])); };
-  return {ErrorKind::invalid_input,
-          "triangle " + std::to_string(std::uint64_t{id} + static_cast<unsigned>(mesh.first_id.value)) +
-              " of the mesh (vertices " + corner(0) + ", " + corner(1) + ", " + corner(2) + ") " + what};
+std::string number_of(const Mesh& mesh, Index vertex) { return std::to_string(number_in_file(mesh, vertex)); }
+
+/// The number of the triangle, and its corners as in the file of the mesh: not every file numbers triangles.
+std::string name_of(const Mesh& mesh, TriangleId id, const char* of_mesh = "") {
+  const auto& v = mesh.triangles[id].v;
+  return "triangle " + std::to_string(std::uint64_t{id} + static_cast<unsigned>(mesh.first_id.value)) + of_mesh +
+         " (vertices " + number_of(mesh, v[0]) + ", " + number_of(mesh, v[1]) + ", " + number_of(mesh, v[2]) + ")";
+}
+
+Error bad_mesh(const Mesh& mesh, TriangleId id, const std::string& what) {
+  return {ErrorKind::invalid_input, name_of(mesh, id, " of the mesh") + " " + what};
 }
 
 /// The side of `triangle` that runs from `from` to `to`, or 3 if there is none.
@@ -27,8 +35,9 @@ unsigned side_between(const Triangle& triangle, VertexId from, VertexId to) {
   return 3;
 }
 
-/// Copies the triangles and links each side to the neighbour's side. Returns an error if the mesh is inconsistent.
-Status link_neighbours(const Mesh& mesh, Triangulation& t, SparseAsk& ask) {
+/// An error if a triangle names no vertices, is flat, or is turned. A turned triangle seems to overlap its neighbours,
+/// so this has to be known before.
+Status check_triangles(const Mesh& mesh, SparseAsk& ask) {
   for (TriangleId id = 0; id < mesh.triangles.size(); ++id) {
     ask();
     const Triangle& triangle = mesh.triangles[id];
@@ -36,6 +45,23 @@ Status link_neighbours(const Mesh& mesh, Triangulation& t, SparseAsk& ask) {
       if (v >= mesh.points.size()) return bad_mesh(mesh, id, "names a vertex that does not exist");
     if (!(orient2d(mesh.points[triangle.v[0]], mesh.points[triangle.v[1]], mesh.points[triangle.v[2]]) > 0))
       return bad_mesh(mesh, id, "is not positively oriented");
+  }
+  return Done{};
+}
+
+/// The error of two triangles that both have the side from `from` to `to`.
+Error overlap(const Mesh& mesh, TriangleId id, TriangleId other, VertexId from, VertexId to) {
+  return bad_mesh(mesh, id,
+                  "overlaps " + name_of(mesh, other) + ": both lie on the same side of the edge " +
+                      number_of(mesh, from) + "-" + number_of(mesh, to));
+}
+
+/// Copies the triangles and links each side to the neighbour's side. Returns an error if the mesh is inconsistent.
+/// Precondition: check_triangles() accepts the mesh.
+Status link_neighbours(const Mesh& mesh, Triangulation& t, SparseAsk& ask) {
+  for (TriangleId id = 0; id < mesh.triangles.size(); ++id) {
+    ask();
+    const Triangle& triangle = mesh.triangles[id];
     Slot slot{triangle.v, {}};
     for (unsigned side = 0; side < 3; ++side) {
       const Index other = triangle.n[side];
@@ -43,10 +69,50 @@ Status link_neighbours(const Mesh& mesh, Triangulation& t, SparseAsk& ask) {
       if (other >= mesh.triangles.size()) return bad_mesh(mesh, id, "names a neighbour that does not exist");
       const unsigned back = side_between(mesh.triangles[other], slot.to(side), slot.from(side));
       if (back == 3 || mesh.triangles[other].n[back] != id)
-        return bad_mesh(mesh, id, "has a neighbour that does not agree");
+        return side_between(mesh.triangles[other], slot.from(side), slot.to(side)) == 3
+                   ? bad_mesh(mesh, id, "has a neighbour that does not agree")
+                   : overlap(mesh, id, other, slot.from(side), slot.to(side));
       slot.n[side] = EdgeRef(other, back);
     }
     t.slots.push_back(slot);
+  }
+  return Done{};
+}
+
+/// A side of a triangle without a neighbour there.
+struct BorderSide {
+  VertexId from, to;
+  TriangleId triangle;
+  [[nodiscard]] std::pair<VertexId, VertexId> ends() const { return std::minmax(from, to); }
+};
+
+/// An error if two triangles lie on the same side of an edge, at least one of them without a neighbour there. O(n + b
+/// log b) for n triangles and b sides on the border, if few edges join two vertices of the border.
+Status check_border(const Mesh& mesh, const Triangulation& t, SparseAsk& ask) {
+  std::vector<BorderSide> border;
+  std::vector<char> on_border(mesh.points.size(), 0);
+  for (TriangleId id = 0; id < t.slots.size(); ++id) {
+    ask();
+    for (unsigned side = 0; side < 3; ++side) {
+      if (!t.slots[id].n[side].none()) continue;
+      border.push_back({t.slots[id].from(side), t.slots[id].to(side), id});
+      on_border[border.back().from] = on_border[border.back().to] = 1;
+    }
+  }
+  const auto directed = [](const BorderSide& side) { return std::tuple(side.ends(), side.from, side.triangle); };
+  std::ranges::sort(border, {}, directed);
+  for (std::size_t i = 0; i + 1 < border.size(); ++i)
+    if (border[i].from == border[i + 1].from && border[i].to == border[i + 1].to)
+      return overlap(mesh, border[i].triangle, border[i + 1].triangle, border[i].from, border[i].to);
+  for (TriangleId id = 0; id < t.slots.size(); ++id) {
+    ask();
+    for (unsigned side = 0; side < 3; ++side) {
+      const VertexId from = t.slots[id].from(side), to = t.slots[id].to(side);
+      if (t.slots[id].n[side].none() || on_border[from] == 0 || on_border[to] == 0) continue;
+      const auto at_edge = std::ranges::equal_range(border, BorderSide{from, to, id}.ends(), {}, &BorderSide::ends);
+      for (const BorderSide& other : at_edge)
+        if (other.from == from) return overlap(mesh, id, other.triangle, from, to);
+    }
   }
   return Done{};
 }
@@ -82,7 +148,9 @@ Result<DomainTriangulation> import_mesh(const Mesh& mesh, const Threads& threads
   DomainTriangulation domain;
   Triangulation& t = domain.triangulation;
   t.points = mesh.points;
+  if (Status fine = check_triangles(mesh, ask); !fine) return fine.error();
   if (Status linked = link_neighbours(mesh, t, ask); !linked) return linked.error();
+  if (Status manifold = check_border(mesh, t, ask); !manifold) return manifold.error();
   if (mesh.region.size() == mesh.triangles.size()) t.region = mesh.region;
   domain.subsegments = constrain_edges(mesh, t, ask);
   JoinedSegments joined = join_subsegments(mesh, domain.subsegments, threads);

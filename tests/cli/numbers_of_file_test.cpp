@@ -14,11 +14,11 @@ const std::string head = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n",
 const std::string hanging = head + "5\n" + square +
                             "$EndNodes\n$Elements\n3\n1 2 2 0 1 10 20 30\n2 2 2 0 1 10 50 40\n3 2 2 0 1 50 30 "
                             "40\n$EndElements\n";
-/// A line from node 20 to node 40 passes through node 50, where four triangles meet.
-const std::string passing =
-    head + "5\n" + square +
-    "$EndNodes\n$Elements\n5\n1 2 2 0 1 10 20 50\n2 2 2 0 1 20 30 50\n3 2 2 0 1 30 40 50\n4 2 2 "
-    "0 1 40 10 50\n5 1 2 7 1 20 40\n$EndElements\n";
+/// Node 60 is no corner of a triangle, and lies on the line from node 20 to node 50.
+const std::string unused =
+    head + "6\n" + square +
+    "60 1.5 0.5 0\n$EndNodes\n$Elements\n5\n1 2 2 0 1 10 20 50\n2 2 2 0 1 20 30 50\n3 2 2 0 1 30 40 50\n4 2 2 "
+    "0 1 40 10 50\n5 1 2 7 1 20 50\n$EndElements\n";
 
 using NumbersOfFile = Workshop;
 
@@ -31,16 +31,16 @@ TEST_F(NumbersOfFile, name_a_hanging_node_and_the_edge_by_tags) {
 }
 
 TEST_F(NumbersOfFile, name_an_edge_inside_the_domain_by_tags_also_in_the_list_of_problems) {
-  write("passing.msh", passing);
+  write("unused.msh", unused);
   write("sizes.asc", "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 2\n1 1\n1 1\n");
   const Ran ran =
-      pardel({"mesh", "passing.msh", "--refine", "-o", "r.vtu", "--sizes", "sizes.asc", "--json", "why.json"});
+      pardel({"mesh", "unused.msh", "--refine", "-o", "r.vtu", "--sizes", "sizes.asc", "--json", "why.json"});
   EXPECT_EQ(ran.exit_code, 3) << ran;
-  const std::string message = "Point 50 at (1, 1) lies in the interior of segment 20-40.";
-  EXPECT_TRUE(holds(ran.err, {"passing.msh: " + message}));
+  const std::string message = "Point 60 at (1.5, 0.5) lies in the interior of segment 20-50.";
+  EXPECT_TRUE(holds(ran.err, {"unused.msh: " + message}));
   const nlohmann::json problem = nlohmann::json::parse(read("why.json"))["problems"][0];
   EXPECT_EQ(problem["message"], message);
-  EXPECT_EQ(problem["ids"], nlohmann::json({50, 20, 40})) << "the ends of an edge without a number";
+  EXPECT_EQ(problem["ids"], nlohmann::json({60, 20, 50})) << "the ends of an edge without a number";
 }
 
 TEST_F(NumbersOfFile, begin_at_0_or_1_as_in_a_node_file) {

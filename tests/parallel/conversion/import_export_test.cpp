@@ -114,6 +114,13 @@ TEST(ImportMesh, rejects_a_mesh_that_is_not_a_manifold_of_positive_triangles) {
   rejects("is not positively oriented", [](Mesh& mesh) { std::swap(mesh.triangles[2].v[0], mesh.triangles[2].v[1]); });
   rejects("has a neighbour that does not agree",
           [](Mesh& mesh) { std::swap(mesh.triangles[0].n[0], mesh.triangles[0].n[1]); });
+  rejects("both lie on the same side of the edge", [](Mesh& mesh) {
+    mesh.triangles.push_back(mesh.triangles[0]);
+    rebuild_neighbours(mesh.triangles, mesh.points.size());
+  });
+  rejects("overlaps triangle", [](Mesh& mesh) {  // without neighbours
+    mesh.triangles.push_back({mesh.triangles[0].v, {no_index, no_index, no_index}});
+  });
 }
 
 /// Two triangles with every numbering of corners and triangles. The points 0 and 2 are too far apart.
