@@ -258,6 +258,25 @@ TEST_F(PardelMpi, reads_a_large_input_in_parts_and_makes_the_same_mesh_of_the_wh
   EXPECT_TRUE(holds(refused.err, {"--read parts needs"})) << refused;
 }
 
+TEST_F(PardelMpi, meshes_and_checks_with_the_lengths_of_a_drawing) {
+  // Two polygons that cross. Without the repair they are refused, as by pardel.
+  write("lengths.geojson", R"({"type": "Feature", "properties": {"length": 0.02}, "geometry": {"type": "MultiPolygon",
+    "coordinates": [[[[-1, -1], [0, -1], [0, 0], [-1, 0], [-1, -1]]], [[[-0.5, -0.5], [1, -0.5], [1, 1], [-0.5, -0.5]]]]}})");
+  const std::vector<std::string> goal = {"--grading", "0.5", "--sources", "lengths.geojson"};
+  const auto with_goal = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), goal.begin(), goal.end());
+    return arguments;
+  };
+  EXPECT_EQ(on_ranks(2, with_goal({"mesh", "pipe.poly", "-o", "out.pvtu"})).exit_code, 3);
+  const Ran ran = on_ranks(2, with_goal({"mesh", "pipe.poly", "-o", "out.pvtu", "--repair", "--check"}));
+  ASSERT_EQ(ran.exit_code, 0) << ran;
+  const Ran check = on_ranks(2, with_goal({"check", "pipe.poly", "out.pvtu"}));
+  EXPECT_EQ(check.exit_code, 0) << check;
+  const Ran alone = run(PARDEL_PROGRAM, with_goal({"mesh", "pipe.poly", "-o", "one.vtu", "--repair"}));
+  const std::string digest_of_ranks = ran.out.substr(ran.out.find("digest"), 40);
+  EXPECT_TRUE(holds(alone.out, {digest_of_ranks})) << alone;
+}
+
 TEST_F(PardelMpi, counts_the_points_in_a_node_file_as_input) {
   const Pslg points = domains::random_points(1'000, 9);
   ASSERT_TRUE(write_poly(points, folder_ / "work" / "points.poly"));
