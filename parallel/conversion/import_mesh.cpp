@@ -109,9 +109,10 @@ Status check_border(const Mesh& mesh, const Triangulation& t, SparseAsk& ask) {
     for (unsigned side = 0; side < 3; ++side) {
       const VertexId from = t.slots[id].from(side), to = t.slots[id].to(side);
       if (t.slots[id].n[side].none() || on_border[from] == 0 || on_border[to] == 0) continue;
-      const auto at_edge = std::ranges::equal_range(border, BorderSide{from, to, id}.ends(), {}, &BorderSide::ends);
-      for (const BorderSide& other : at_edge)
-        if (other.from == from) return overlap(mesh, id, other.triangle, from, to);
+      const auto ends = BorderSide{from, to, id}.ends();
+      auto other = std::ranges::lower_bound(border, ends, {}, &BorderSide::ends);
+      for (; other != border.end() && other->ends() == ends; ++other)
+        if (other->from == from) return overlap(mesh, id, other->triangle, from, to);
     }
   }
   return Done{};

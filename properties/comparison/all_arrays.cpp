@@ -42,7 +42,7 @@ Rows triangles_of(const Mesh& mesh) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     std::array<Point, 3> corners;
     std::ranges::transform(mesh.triangles[t].v, corners.begin(), [&](Index v) { return mesh.points[v]; });
-    std::ranges::rotate(corners, std::ranges::min_element(corners, comes_before));
+    std::rotate(corners.begin(), std::ranges::min_element(corners, comes_before), corners.end());
     Row& row = rows.emplace_back();
     for (const Point p : corners) append(row, p);
     if (!mesh.region.empty()) row.push_back(mesh.region[t]);

@@ -40,7 +40,6 @@ inline Pslg rest_of(const Pslg& pslg) {
   rest.has_segment_markers = pslg.has_segment_markers;
   rest.holes = pslg.holes;
   rest.regions = pslg.regions;
-  rest.first_id = pslg.first_id;
   return rest;
 }
 

@@ -82,12 +82,17 @@ PARDEL_PROPERTY(Decorated, meshes_have_the_triangles_of_the_domain_without_data,
   RC_ASSERT(bare(value_of(mesh(pslg, drawn.problem.goal, drawn.options)).mesh) == bare(with_data));
 }
 
-/// A point again, with a marker and attributes of its own.
+/// Inserts a point again, somewhere behind itself, with a marker and attributes of its own. Returns its index.
 Index add_copy(Pslg& pslg, Index of) {
-  pslg.points.push_back(pslg.points[of]);
-  if (!pslg.point_markers.empty()) pslg.point_markers.push_back(*rc::gen::inRange(-9, 10));
-  pslg.point_attributes.resize(pslg.points.size() * pslg.attributes_per_point, 0.125);
-  return static_cast<Index>(pslg.points.size() - 1);
+  const Index at = *rc::gen::inRange<Index>(of + 1, static_cast<Index>(pslg.points.size()) + 1);
+  const std::size_t k = pslg.attributes_per_point;
+  pslg.points.insert(pslg.points.begin() + at, pslg.points[of]);
+  if (!pslg.point_markers.empty()) pslg.point_markers.insert(pslg.point_markers.begin() + at, *rc::gen::inRange(-9, 10));
+  pslg.point_attributes.insert(pslg.point_attributes.begin() + static_cast<std::ptrdiff_t>(at * k), k, 0.125);
+  for (Segment& s : pslg.segments)
+    for (Index* end : {&s.a, &s.b})
+      if (*end >= at) ++*end;
+  return at;
 }
 
 Index some_point(const Pslg& pslg) { return *rc::gen::inRange<Index>(0, static_cast<Index>(pslg.points.size())); }
@@ -102,13 +107,14 @@ PARDEL_PROPERTY(Decorated, domains_are_repaired_to_themselves_if_points_and_segm
   const Pslg pslg = to_pslg(some_case(exhibit).domain);
   Pslg with_copies = pslg, expected = pslg;
   for (int copies = *rc::gen::inRange(1, 6); copies > 0; --copies) {
-    const Index original = some_point(pslg), copy = add_copy(with_copies, original);
+    const Index original = some_point(with_copies), copy = add_copy(with_copies, original);
     for (Segment& s : with_copies.segments)
       for (Index* end : {&s.a, &s.b})
         if (*end == original && *rc::gen::arbitrary<bool>()) *end = copy;
     if (pslg.segments.empty()) continue;
-    Segment& once = expected.segments[*rc::gen::inRange<std::size_t>(0, pslg.segments.size())];
-    Segment again{once.a, once.b, *rc::gen::inRange(-2, 3)};
+    const auto which = *rc::gen::inRange<std::size_t>(0, pslg.segments.size());
+    Segment& once = expected.segments[which];
+    Segment again{with_copies.segments[which].a, with_copies.segments[which].b, *rc::gen::inRange(-2, 3)};
     if (*rc::gen::arbitrary<bool>()) std::swap(again.a, again.b);
     with_copies.segments.push_back(again);
     if (once.marker == 0) once.marker = again.marker;
