@@ -72,8 +72,8 @@ struct Repaired {
 /// distance: a segment touches a point before it could pass over the point, except within about twice the snapping
 /// distance of its ends. Afterwards, no two points are closer than the snapping distance, and no point is closer than
 /// half of it to a segment that does not end there. Drops holes and regions that lie outside or on a segment, and, if
-/// something was snapped, those closer than the snapping distance to a segment, or to a place where the ends of a
-/// segment became one point, because their face may have vanished.
+/// something was snapped, those closer than the snapping distance to a segment, because their face may have vanished,
+/// and those in faces that became one point.
 /// Of several regions in one face the last one stays, as in Triangle. Points added at crossings are rounded; their
 /// attributes are interpolated and their markers are those of the segment. Repairing a repaired domain changes nothing.
 ///

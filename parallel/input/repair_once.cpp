@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <utility>
 
@@ -14,7 +15,6 @@
 #include "../validate.hpp"
 #include "check_faces.hpp"
 #include "check_values.hpp"
-#include "duplicates.hpp"
 #include "findings.hpp"
 #include "untangle.hpp"
 
@@ -125,22 +125,19 @@ class Seeds {
  public:
   Seeds(Work& work, SeedRecord& record, StopSignal& stop) : work_(work), record_(record), stop_(stop) {}
 
-  /// Drops those that are closer than the snapping distance to a place where segments have become a point: the face
-  /// that these enclosed is gone.
-  void drop_at_vanished_faces(const Pslg& old, const Snapping& snapping) {
-    std::vector<Point> places = ends_of_vanished_segments(old);
-    const std::size_t vanished = places.size();
-    if (vanished == 0) return;
+  /// Drops those in faces that are gone: inside of old segments that have all become one point.
+  void drop_in_vanished_faces(const Pslg& old) {
+    const std::vector<Vanished> vanished = vanished_segments(old);
     const std::vector<Point> seeds = seeds_of(work_.pslg);
-    places.insert(places.end(), seeds.begin(), seeds.end());
+    SparseAsk ask(&stop_);
     std::vector<Index> holes, regions;
-    for (const Duplicate& near : find_close(places, Reach(snapping, places, {}))) {
-      if (near.first >= vanished || near.again < vanished) continue;
-      const std::size_t seed = near.again - vanished;
-      note_drop(seed, seeds[seed], "is closer than the snapping distance to " + shortest(places[near.first]) +
-                                       ", where segments have become a point.",
-                holes, regions);
-    }
+    for (std::size_t seed = 0; seed < seeds.size(); ++seed)
+      for (const Vanished& group : vanished) {
+        ask();
+        if (!group.box.contains_half_open(seeds[seed]) || !encloses(old, group, seeds[seed])) continue;
+        note_drop(seed, seeds[seed], "lies in a face that has become the point " + shortest(group.place) + ".", holes,
+                  regions);
+      }
     drop(holes, regions);
   }
 
@@ -199,15 +196,36 @@ class Seeds {
   }
 
  private:
-  /// Where both ends of a segment have become one point, each place once.
-  [[nodiscard]] std::vector<Point> ends_of_vanished_segments(const Pslg& old) {
-    std::vector<bool> is_end(work_.pslg.points.size());
-    for (const Segment& s : old.segments)
-      if (work_.point_map[s.a] == work_.point_map[s.b]) is_end[work_.point_map[s.a]] = true;
-    std::vector<Point> places;
-    for (Index p = 0; p < is_end.size(); ++p)
-      if (is_end[p]) places.push_back(work_.pslg.points[p]);
-    return places;
+  /// Old segments of which both ends have become the same point.
+  struct Vanished {
+    Point place;
+    Box box = empty_box;
+    std::vector<Index> segments;
+  };
+  [[nodiscard]] std::vector<Vanished> vanished_segments(const Pslg& old) const {
+    std::map<Index, Vanished> by_point;
+    for (Index s = 0; s < old.segments.size(); ++s) {
+      const Index at = work_.point_map[old.segments[s].a];
+      if (at != work_.point_map[old.segments[s].b]) continue;
+      Vanished& group = by_point[at];
+      group.place = work_.pslg.points[at];
+      group.box.cover(Box::around(old.points[old.segments[s].a], old.points[old.segments[s].b]));
+      group.segments.push_back(s);
+    }
+    std::vector<Vanished> all;
+    for (auto& [point, group] : by_point) all.push_back(std::move(group));
+    return all;
+  }
+
+  /// Does a ray from p to the right cross the segments an odd number of times?
+  [[nodiscard]] static bool encloses(const Pslg& old, const Vanished& group, Point p) {
+    bool is_odd = false;
+    for (const Index s : group.segments) {
+      Point low = old.points[old.segments[s].a], high = old.points[old.segments[s].b];
+      if (low.y > high.y) std::swap(low, high);
+      if (low.y <= p.y && p.y < high.y && orient2d(low, high, p) > 0) is_odd = !is_odd;
+    }
+    return is_odd;
   }
 
   /// Adds a seed, in the order of seeds_of(), to the holes or regions that are dropped, and a line to the log.
@@ -262,7 +280,7 @@ std::optional<Result<RepairStage>> repair_once(const Pslg& pslg, const Snapping&
   SparseAsk ask(&stop);
   const Moved points = moved_points(pslg, work, ask), segments = bent_segments(pslg, work, is_old, ask);
   Seeds seeds(work, record, stop);
-  if (points.count > 0) seeds.drop_at_vanished_faces(pslg, snapping);
+  if (points.count > 0) seeds.drop_in_vanished_faces(pslg);
   if (points.count + segments.count > 0 || is_outline_drawn) seeds.drop_near_segments(snapping);
   std::vector<std::string> log = summary(pslg, work, is_old);
   note_moves(pslg, largest_snap, points, segments, log);

@@ -239,10 +239,10 @@ TEST(Repair, drops_a_hole_whose_outline_becomes_a_point) {
   for (const double snap : {3.1, 4.0, 5.0}) {
     const Repaired result = repaired(pslg, snap);
     EXPECT_TRUE(result.domain.pslg().holes.empty()) << snap;
-    EXPECT_TRUE(result.log.back().starts_with("Dropped: Hole 0 at (501, 501) is closer ")) << result.log.back();
+    EXPECT_TRUE(result.log.back().starts_with("Dropped: Hole 0 at (501, 501) lies ")) << result.log.back();
   }
-  // A hole without an islet around its seed stays.
-  pslg.holes = {{510, 510}};
+  // A hole beside such a place stays.
+  pslg.holes = {{504, 504}};
   pslg.points.insert(pslg.points.end(), {{400, 400}, {600, 400}, {600, 600}, {400, 600}});
   pslg.segments.insert(pslg.segments.end(), {{8, 9}, {9, 10}, {10, 11}, {11, 8}});
   EXPECT_EQ(repaired(pslg, 5).domain.pslg().holes.size(), 1U);
