@@ -86,10 +86,10 @@ Result<std::string> write(const ConvertArguments& arguments, const Mesh& as_read
   if (mesh_format(arguments.output) != MeshFormat::triangle)
     return done(write_mesh(mesh, {}, arguments.output, arguments.format.for_file(arguments.output)), {});
   // The .poly contains the holes and the regions, too.
-  const Result<DomainOfMesh> domain = domain_with(arguments.input, as_read);
+  const Result<Pslg> domain = domain_with(arguments.input, as_read);
   if (!domain && domain.error().kind != ErrorKind::invalid_input) return domain.error();
   const fs::path stem = fs::path(arguments.output).replace_extension();
-  return done(write_triangle_files(mesh, domain ? domain->pslg : Pslg{}, stem,
+  return done(write_triangle_files(mesh, domain ? *domain : Pslg{}, stem,
                                    {.base = mesh.first_id.value, .second_order = arguments.format.order == 2}),
               domain ? "" : domain.error().message);
 }

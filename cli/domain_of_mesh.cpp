@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "../core/support/name_of_triangle.hpp"
 #include "../parallel/mesher.hpp"
 #include "../parallel/validate.hpp"
 #include "centroid.hpp"
@@ -78,10 +78,8 @@ std::string triangles_at(const Mesh& mesh, const Problem& problem) {
       if (triangle.n[i] != no_index) continue;
       if (std::ranges::find(edges, edge++) == edges.end()) continue;
       const auto number = [&](Index v) { return std::to_string(number_in_file(mesh, v)); };
-      const std::uint64_t id = std::uint64_t{t} + static_cast<unsigned>(mesh.first_id.value);
-      text += "\nEdge " + number(side(triangle, i).from) + "-" + number(side(triangle, i).to) +
-              " is a side of triangle " + std::to_string(id) + " (vertices " + number(triangle.v[0]) + ", " +
-              number(triangle.v[1]) + ", " + number(triangle.v[2]) + ").";
+      text += "\nEdge " + number(side(triangle, i).from) + "-" + number(side(triangle, i).to) + " is a side of " +
+              name_of_triangle(mesh, t) + ".";
     }
   return text;
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "../core/support/mesh_edges.hpp"
+#include "../core/support/used_vertices.hpp"
 #include "../parallel/validate.hpp"
 #include "faces.hpp"
 
@@ -49,9 +50,7 @@ std::vector<std::vector<Index>> nodes_inside(const Mesh& mesh, const std::vector
   Pslg pslg;
   pslg.points.assign(mesh.points.begin(), mesh.points.end());
   for (const ConstrainedEdge& line : lines) pslg.segments.push_back({line.a, line.b});
-  std::vector<char> is_used(mesh.points.size(), 0);
-  for (const Triangle& triangle : mesh.triangles)
-    for (const Index v : triangle.v) is_used[v] = 1;
+  const std::vector<char> is_used = used_vertices(mesh);
   // Lines along edges cross at nodes only, so there are about as many crossings as nodes.
   const std::size_t enough = 10 * mesh.points.size() + 10'000;
   std::vector<std::vector<Index>> inside(lines.size());

@@ -43,6 +43,14 @@ Result<std::optional<Pslg>> poly_beside(const fs::path& file, const Mesh& mesh) 
   return std::optional<Pslg>(std::move(*pslg));
 }
 
+/// The .poly, or else the outline of the mesh.
+Result<Pslg> domain_or_outline(std::optional<Pslg> poly, const fs::path& file, const Mesh& mesh) {
+  if (poly) return std::move(*poly);
+  Result<Pslg> outline = domain_of(mesh);
+  if (!outline) return with_name(outline.error(), file.string());
+  return outline;
+}
+
 }  // namespace
 
 Status check_standard_input(std::span<const fs::path> inputs) {
@@ -73,13 +81,10 @@ Result<Domain> read_domain(const fs::path& file) {
   return Domain{std::move(*pslg), file.string()};
 }
 
-Result<DomainOfMesh> domain_with(const fs::path& file, const Mesh& mesh) {
+Result<Pslg> domain_with(const fs::path& file, const Mesh& mesh) {
   Result<std::optional<Pslg>> poly = poly_beside(file, mesh);
   if (!poly) return poly.error();
-  if (*poly) return DomainOfMesh{std::move(**poly)};
-  Result<Pslg> domain = domain_of(mesh);
-  if (!domain) return with_name(domain.error(), file.string());
-  return DomainOfMesh{std::move(*domain), true};
+  return domain_or_outline(std::move(*poly), file, mesh);
 }
 
 Result<CoarseMesh> read_coarse_mesh(const fs::path& file) {
@@ -94,8 +99,8 @@ Result<CoarseMesh> read_coarse_mesh(const fs::path& file) {
     if (!along) return with_name(along.error(), file.string());
     followed = *along;
   }
-  Result<Pslg> domain = is_outline ? domain_of(*mesh) : Result<Pslg>(std::move(**poly));
-  if (!domain) return with_name(domain.error(), file.string());
+  Result<Pslg> domain = domain_or_outline(std::move(*poly), file, *mesh);
+  if (!domain) return domain.error();
   CoarseMesh coarse{std::move(*mesh), {}, {std::move(*domain), file.string(), {}, is_outline}, followed};
   coarse.domain.points = coarse.mesh.numbers;
   adopt_segments(coarse);

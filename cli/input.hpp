@@ -39,15 +39,10 @@ struct Domain {
 /// False if the point section of the .poly is empty; the points are then in the .node file of the same name.
 [[nodiscard]] bool has_own_points(const std::filesystem::path& poly);
 
-/// A domain of a mesh.
-struct DomainOfMesh {
-  Pslg pslg;
-  bool is_outline = false;  ///< it was made of the mesh
-};
 /// The domain of a mesh that was read from `file`. If the mesh is in Triangle's files and a .poly of the same name
 /// exists with as many points as the mesh, this .poly is the domain. Otherwise the domain is made of the mesh's
 /// constrained edges and boundary.
-[[nodiscard]] Result<DomainOfMesh> domain_with(const std::filesystem::path& file, const Mesh& mesh);
+[[nodiscard]] Result<Pslg> domain_with(const std::filesystem::path& file, const Mesh& mesh);
 
 /// A mesh to refine, and its domain as domain_with() returns it.
 struct CoarseMesh {

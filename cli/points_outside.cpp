@@ -5,14 +5,13 @@
 #include <algorithm>
 #include <vector>
 
+#include "../core/support/used_vertices.hpp"
 #include "plural.hpp"
 
 namespace pardel::cli {
 
 PointsOutside points_outside(const Mesh& mesh) {
-  std::vector<char> used(mesh.points.size());
-  for (const Triangle& t : mesh.triangles)
-    for (const Index v : t.v) used[v] = 1;
+  const std::vector<char> used = used_vertices(mesh);
   PointsOutside outside;
   outside.count = static_cast<std::size_t>(std::ranges::count(used, 0));
   if (outside.count > 0)

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "../core/support/used_vertices.hpp"
+
 namespace pardel::cli {
 namespace {
 
@@ -56,14 +58,11 @@ void renumber(Mesh& mesh, std::span<const Index> number, std::size_t count) {
 }  // namespace
 
 void remove_unused_vertices(Mesh& mesh) {
-  std::vector<Index> number(mesh.points.size(), no_index);
-  for (const Triangle& t : mesh.triangles) {
-    for (const Index v : t.v) number[v] = 0;
-  }
+  const std::vector<char> is_used = used_vertices(mesh);
+  std::vector<Index> number(is_used.size(), no_index);
   Index count = 0;
-  for (Index& n : number) {
-    if (n != no_index) n = count++;
-  }
+  for (std::size_t v = 0; v < is_used.size(); ++v)
+    if (is_used[v] != 0) number[v] = count++;
   renumber(mesh, number, count);
 }
 

@@ -217,14 +217,14 @@ class Comparison {
   /// For some point: do the old segments that have become this point wind around p?
   [[nodiscard]] bool is_in_a_vanished_face(Point p) const {
     for (Index to = 0; to < after_.points.size(); ++to) {
-      int crossings = 0;
+      int on_right = 0, on_left = 0;
       for (const Segment& s : before_.segments) {
         if (repaired_.point_map[s.a] != to || repaired_.point_map[s.b] != to) continue;
         const Point a = before_.points[s.a], b = before_.points[s.b];
         if ((a.y <= p.y) == (b.y <= p.y)) continue;
-        if (a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x) > p.x) ++crossings;
+        ++(a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x) > p.x ? on_right : on_left);
       }
-      if (crossings % 2 == 1) return true;
+      if (on_right % 2 == 1 && on_left % 2 == 1) return true;
     }
     return false;
   }

@@ -33,7 +33,7 @@ struct MeshPiece {
   std::uint64_t missed = 0;  ///< triangles that miss the goal although no small input angle justifies it
   /// Triangles of other pieces that this rank held when the refinement ended. 0 if the ranks did not refine together.
   std::uint64_t margin = 0;
-  double seconds = 0;        ///< to make the piece after the refinement
+  double seconds = 0;  ///< to make the piece after the refinement
   /// Of the whole run, except for what belongs to this rank: exemptions (Exemption::triangle is a triangle of the
   /// piece), times, Sweep::largest_task, and the threads of cells. It has no sweeps for triangles whose cavities fit no
   /// box.

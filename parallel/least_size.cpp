@@ -13,8 +13,7 @@ namespace pardel {
 std::string LeastSize::message() const {
   const auto millions = [](double number) { return shortest(std::round(number / 1e5) / 10) + " million triangles."; };
   std::string text;
-  if (names_narrow_part())
-    text = "The domain is only " + shortest(width) + " wide at " + shortest(where) + ". ";
+  if (names_narrow_part()) text = "The domain is only " + shortest(width) + " wide at " + shortest(where) + ". ";
   if (is_of_narrow_parts())
     return text + "With such narrow parts and this smallest angle, the mesh needs at least " + millions(triangles);
   return text + "With these bounds on sizes, the mesh will have about " + millions(expected);

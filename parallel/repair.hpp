@@ -92,7 +92,8 @@ struct Repaired {
 
 /// True if repair() with this snapping distance removes nothing of the domain but narrow gaps: it succeeds and keeps
 /// all holes and regions, each connected part of the domain is wider than the distance, and the area of the domain
-/// changes by at most one hundredth. The width of a part is twice its area divided by its perimeter. Errors and time: those of triangulate() and repair().
+/// changes by at most one hundredth. The width of a part is twice its area divided by its perimeter. Errors and time:
+/// those of triangulate() and repair().
 [[nodiscard]] Result<bool> keeps_all_parts(const ValidPslg& domain, double snap);
 
 }  // namespace pardel

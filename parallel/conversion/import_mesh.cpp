@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "../../core/support/mesh_edges.hpp"
+#include "../../core/support/name_of_triangle.hpp"
 #include "../arithmetic/predicates.hpp"
 #include "../scheduling/limits.hpp"
 #include "../triangulation/flips.hpp"
@@ -17,15 +18,8 @@ namespace {
 
 std::string number_of(const Mesh& mesh, Index vertex) { return std::to_string(number_in_file(mesh, vertex)); }
 
-/// The number of the triangle, and its corners as in the file of the mesh: not every file numbers triangles.
-std::string name_of(const Mesh& mesh, TriangleId id, const char* of_mesh = "") {
-  const auto& v = mesh.triangles[id].v;
-  return "triangle " + std::to_string(std::uint64_t{id} + static_cast<unsigned>(mesh.first_id.value)) + of_mesh +
-         " (vertices " + number_of(mesh, v[0]) + ", " + number_of(mesh, v[1]) + ", " + number_of(mesh, v[2]) + ")";
-}
-
 Error bad_mesh(const Mesh& mesh, TriangleId id, const std::string& what) {
-  return {ErrorKind::invalid_input, name_of(mesh, id, " of the mesh") + " " + what};
+  return {ErrorKind::invalid_input, name_of_triangle(mesh, id, " of the mesh") + " " + what};
 }
 
 /// The side of `triangle` that runs from `from` to `to`, or 3 if there is none.
@@ -52,7 +46,7 @@ Status check_triangles(const Mesh& mesh, SparseAsk& ask) {
 /// The error of two triangles that both have the side from `from` to `to`.
 Error overlap(const Mesh& mesh, TriangleId id, TriangleId other, VertexId from, VertexId to) {
   return bad_mesh(mesh, id,
-                  "overlaps " + name_of(mesh, other) + ": both lie on the same side of the edge " +
+                  "overlaps " + name_of_triangle(mesh, other) + ": both lie on the same side of the edge " +
                       number_of(mesh, from) + "-" + number_of(mesh, to));
 }
 

@@ -15,8 +15,7 @@ namespace pardel {
 using namespace engine;
 
 Result<std::unique_ptr<TriangulatedPoints>> engine::triangulated(PartOfPoints&& read, Ranks& ranks,
-                                                                 const Threads& threads,
-                                                                 const JudgeOfPoints& judge) {
+                                                                 const Threads& threads, const JudgeOfPoints& judge) {
   const FirstId first_id = read.first_id;
   CurveDivision division = divide_along_curve(read.points, ranks);
   OwnPoints own = send_to_owners(std::move(read), division, ranks, threads);

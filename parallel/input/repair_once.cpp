@@ -127,16 +127,16 @@ class Seeds {
 
   /// Drops those in faces that are gone: inside of old segments that have all become one point.
   void drop_in_vanished_faces(const Pslg& old) {
-    const std::vector<Vanished> vanished = vanished_segments(old);
+    const std::map<Index, Vanished> vanished = vanished_segments(old);
     const std::vector<Point> seeds = seeds_of(work_.pslg);
     SparseAsk ask(&stop_);
     std::vector<Index> holes, regions;
     for (std::size_t seed = 0; seed < seeds.size(); ++seed)
-      for (const Vanished& group : vanished) {
+      for (const auto& [point, group] : vanished) {
         ask();
         if (!group.box.contains_half_open(seeds[seed]) || !encloses(old, group, seeds[seed])) continue;
-        note_drop(seed, seeds[seed], "lies in a face that has become the point " + shortest(group.place) + ".", holes,
-                  regions);
+        const std::string place = shortest(work_.pslg.points[point]);
+        note_drop(seed, seeds[seed], "lies in a face that has become the point " + place + ".", holes, regions);
       }
     drop(holes, regions);
   }
@@ -198,34 +198,35 @@ class Seeds {
  private:
   /// Old segments of which both ends have become the same point.
   struct Vanished {
-    Point place;
     Box box = empty_box;
     std::vector<Index> segments;
   };
-  [[nodiscard]] std::vector<Vanished> vanished_segments(const Pslg& old) const {
+  /// By this point.
+  [[nodiscard]] std::map<Index, Vanished> vanished_segments(const Pslg& old) const {
     std::map<Index, Vanished> by_point;
     for (Index s = 0; s < old.segments.size(); ++s) {
       const Index at = work_.point_map[old.segments[s].a];
       if (at != work_.point_map[old.segments[s].b]) continue;
       Vanished& group = by_point[at];
-      group.place = work_.pslg.points[at];
       group.box.cover(Box::around(old.points[old.segments[s].a], old.points[old.segments[s].b]));
       group.segments.push_back(s);
     }
-    std::vector<Vanished> all;
-    for (auto& [point, group] : by_point) all.push_back(std::move(group));
-    return all;
+    return by_point;
   }
 
-  /// Does a ray from p to the right cross the segments an odd number of times?
+  /// Do the rays from p to the right and to the left each cross the segments an odd number of times? Around an open
+  /// chain, at most one of them does.
   [[nodiscard]] static bool encloses(const Pslg& old, const Vanished& group, Point p) {
-    bool is_odd = false;
+    bool is_odd_on_right = false, is_odd_on_left = false;
     for (const Index s : group.segments) {
       Point low = old.points[old.segments[s].a], high = old.points[old.segments[s].b];
       if (low.y > high.y) std::swap(low, high);
-      if (low.y <= p.y && p.y < high.y && orient2d(low, high, p) > 0) is_odd = !is_odd;
+      if (p.y < low.y || p.y >= high.y) continue;
+      const double side = orient2d(low, high, p);
+      if (side > 0) is_odd_on_right = !is_odd_on_right;
+      if (side < 0) is_odd_on_left = !is_odd_on_left;
     }
-    return is_odd;
+    return is_odd_on_right && is_odd_on_left;
   }
 
   /// Adds a seed, in the order of seeds_of(), to the holes or regions that are dropped, and a line to the log.

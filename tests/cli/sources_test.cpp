@@ -160,8 +160,7 @@ TEST_F(Keep, splits_no_segment_with_the_marker) {
 
 TEST_F(Keep, of_the_boundary_marker_keeps_segments_without_a_marker_on_the_boundary) {
   write("plain.poly", "4 2 0 0\n0 0 0\n1 1 0\n2 1 1\n3 0 1\n4 0\n0 0 1\n1 1 2\n2 2 3\n3 3 0\n0\n");
-  EXPECT_EQ(report({"plain.poly", "-o", "m.ele", "--keep", "1", "--max-area", "0.05"}, 4)["mesh"]["vertices"],
-            5)
+  EXPECT_EQ(report({"plain.poly", "-o", "m.ele", "--keep", "1", "--max-area", "0.05"}, 4)["mesh"]["vertices"], 5)
       << "the corners and a point inside";
 }
 

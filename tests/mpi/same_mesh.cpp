@@ -4,7 +4,8 @@
 //   same_mesh huge      the same with 10 million triangles; not part of the suite
 // The digests are equal, and no piece has a marker, an attribute or an origin that the whole mesh has not.
 // If the ranks can begin with parts of the domain, as pardel-mpi does, they make the mesh in this way, too.
-// Exit status 0 if there are no differences, and most meshes lie on several ranks. The first rank names those that differ.
+// Exit status 0 if there are no differences, and most meshes lie on several ranks. The first rank names those that
+// differ.
 #include <mpi.h>
 
 #include <cmath>

@@ -31,7 +31,8 @@ class Decorator {
     mark_segments();
     add_attributes();
     if (decorations_.has(Decoration::region_attributes))
-      for (Region& region : pslg_.regions) region.attribute = random_at(region.seed).one_of<double>({0, -1, 0.5, 1e300});
+      for (Region& region : pslg_.regions)
+        region.attribute = random_at(region.seed).one_of<double>({0, -1, 0.5, 1e300});
     if (decorations_.has(Decoration::numbers_from_one)) pslg_.first_id = {1};
   }
 
@@ -49,7 +50,8 @@ class Decorator {
   [[nodiscard]] int marker(Random& random, int usual) const {
     using Limits = std::numeric_limits<int>;
     if (decorations_.has(Decoration::negative_markers) && random.chance(3)) return -random.between(1, 3);
-    if (decorations_.has(Decoration::huge_markers) && random.chance(4)) return random.one_of<int>({Limits::min(), Limits::max()});
+    if (decorations_.has(Decoration::huge_markers) && random.chance(4))
+      return random.one_of<int>({Limits::min(), Limits::max()});
     return usual;
   }
 
@@ -76,7 +78,8 @@ class Decorator {
   }
 
   void add_attributes() {
-    const bool one = decorations_.has(Decoration::one_attribute), three = decorations_.has(Decoration::three_attributes);
+    const bool one = decorations_.has(Decoration::one_attribute),
+               three = decorations_.has(Decoration::three_attributes);
     if (!one && !three) return;
     pslg_.attributes_per_point = (one ? 1 : 0) + (three ? 3 : 0);
     pslg_.point_attributes.clear();

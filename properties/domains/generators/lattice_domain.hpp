@@ -96,8 +96,9 @@ std::ostream& operator<<(std::ostream& out, const LatticeDomain& domain);
 
 /// The measure that every shrinking step reduces, in lexicographic order. The order is well-founded, so shrinking ends.
 struct Weight {
-  std::uint64_t things = 0;     ///< the number of points, segments, holes and regions
-  std::uint64_t oddities = 0;   ///< the number of finite caps, decorations, and non-zero offsets, exponents, attributes, markers
+  std::uint64_t things = 0;  ///< the number of points, segments, holes and regions
+  std::uint64_t oddities =
+      0;  ///< the number of finite caps, decorations, and non-zero offsets, exponents, attributes, markers
   std::uint64_t magnitude = 0;  ///< the sum of the magnitudes of all coordinates
   friend auto operator<=>(const Weight&, const Weight&) = default;
 };

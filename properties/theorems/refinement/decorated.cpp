@@ -56,9 +56,7 @@ class ProblemMaker {
   Pslg& pslg() { return made_.problem.pslg; }
   Goal& goal() { return made_.problem.goal; }
   [[nodiscard]] bool has(Wish wish) const { return wishes_.has(wish); }
-  [[nodiscard]] Random random_of(Wish wish) const {
-    return Random(wishes_.seed + static_cast<std::uint64_t>(wish));
-  }
+  [[nodiscard]] Random random_of(Wish wish) const { return Random(wishes_.seed + static_cast<std::uint64_t>(wish)); }
   [[nodiscard]] double some_length(Random& random) const { return extent_ / random.between(3, 24); }
 
   void bounds() {
@@ -87,7 +85,8 @@ class ProblemMaker {
 
   /// The lesser of two fields is the wanted length.
   void add_size(std::function<double(Point)> size) {
-    if (goal().size) size = [one = goal().size, other = std::move(size)](Point p) { return std::min(one(p), other(p)); };
+    if (goal().size)
+      size = [one = goal().size, other = std::move(size)](Point p) { return std::min(one(p), other(p)); };
     goal().size = std::move(size);
   }
   std::function<double(Point)> field() {
@@ -100,8 +99,7 @@ class ProblemMaker {
     Random random = random_of(Wish::lengths_at_points);
     std::vector<double> lengths;
     for (std::size_t i = 0; i < pslg().points.size(); ++i) lengths.push_back(some_length(random));
-    Result<std::function<double(Point)>> size =
-        interpolated_size(pslg(), lengths, goal().convex_hull, {.threads = 1});
+    Result<std::function<double(Point)>> size = interpolated_size(pslg(), lengths, goal().convex_hull, {.threads = 1});
     if (!size) RC_FAIL(size.error().message);
     return std::move(size).value();
   }

@@ -1,5 +1,5 @@
-// Problems in which many things meet: data of points, segments and regions (domains/generators/decorations.hpp), several
-// bounds on sizes at once, and options.
+// Problems in which many things meet: data of points, segments and regions (domains/generators/decorations.hpp),
+// several bounds on sizes at once, and options.
 #pragma once
 
 #include <cstdint>
@@ -21,11 +21,11 @@ enum class Wish : std::uint8_t {
   sources,            ///< the same, from lengths at a point and on a segment
   narrow_places,      ///< edges across narrow places
   conforming,
-  hull,               ///< the domain is the convex hull
-  fill,               ///< interiors are filled with equilateral triangles
-  floor,              ///< a least length of edges
-  kept_markers,       ///< segments with the marker of some segment are not split
-  kept_boundary,      ///< no segment on the boundary is split
+  hull,           ///< the domain is the convex hull
+  fill,           ///< interiors are filled with equilateral triangles
+  floor,          ///< a least length of edges
+  kept_markers,   ///< segments with the marker of some segment are not split
+  kept_boundary,  ///< no segment on the boundary is split
   quadtree,
   small_tiles,
   circumcentres,

@@ -1,4 +1,6 @@
 // Domains whose points, segments and regions carry data, and goals and options of which many are set at once.
+#include "decorated.hpp"
+
 #include <string>
 #include <utility>
 #include <vector>
@@ -7,7 +9,6 @@
 #include "../../domains/dealt_domain.hpp"
 #include "../framework/mesh_of_ranks.hpp"
 #include "../framework/shares.hpp"
-#include "decorated.hpp"
 
 namespace pardel::properties {
 namespace {
@@ -50,8 +51,7 @@ PARDEL_PROPERTY(Decorated, meshes_do_not_depend_on_threads_or_ranks,
   classify(is_dealt && count > 1, "no rank has the whole domain", 3);
   const ValidPslg domain = std::move(validate(pslg, {.convex_hull = goal.convex_hull})).value();
   const std::string difference = difference_on_ranks(one, count, [&, &pslg = pslg, &goal = goal](pardel::Ranks& ranks) {
-    return is_dealt ? mesh(domains::equal_part(pslg, ranks), goal, options, ranks)
-                    : mesh(domain, goal, options, ranks);
+    return is_dealt ? mesh(domains::equal_part(pslg, ranks), goal, options, ranks) : mesh(domain, goal, options, ranks);
   });
   RC_ASSERT(difference == "");
 }
@@ -87,7 +87,8 @@ Index add_copy(Pslg& pslg, Index of) {
   const Index at = *rc::gen::inRange<Index>(of + 1, static_cast<Index>(pslg.points.size()) + 1);
   const std::size_t k = pslg.attributes_per_point;
   pslg.points.insert(pslg.points.begin() + at, pslg.points[of]);
-  if (!pslg.point_markers.empty()) pslg.point_markers.insert(pslg.point_markers.begin() + at, *rc::gen::inRange(-9, 10));
+  if (!pslg.point_markers.empty())
+    pslg.point_markers.insert(pslg.point_markers.begin() + at, *rc::gen::inRange(-9, 10));
   pslg.point_attributes.insert(pslg.point_attributes.begin() + static_cast<std::ptrdiff_t>(at * k), k, 0.125);
   for (Segment& s : pslg.segments)
     for (Index* end : {&s.a, &s.b})
@@ -175,7 +176,9 @@ PARDEL_PROPERTY(Decorated, domains_with_problems_have_the_same_problems_on_ranks
   const int count = *rc::gen::inRange(1, 5);
   classify(!whole, "with problems", 70);
   if (whole) {
-    const auto make = [&](pardel::Ranks& ranks) { return mesh(domains::equal_part(pslg, ranks), goal, options, ranks); };
+    const auto make = [&](pardel::Ranks& ranks) {
+      return mesh(domains::equal_part(pslg, ranks), goal, options, ranks);
+    };
     RC_ASSERT(difference_on_ranks(whole->mesh, count, make) == "");
     return;
   }

@@ -31,9 +31,10 @@ Result<MeshPiece> own_piece(const ValidPslg& domain, const Goal& goal, const Opt
 
 PARDEL_PROPERTY(
     Ranks, make_the_filled_mesh_of_one_process,
-    {.statement = "Where the interior is filled with equilateral triangles, one to five ranks that make one to several "
-                  "pieces each make the mesh that one process makes, triangle by triangle, and come to the same verdict "
-                  "on it.",
+    {.statement =
+         "Where the interior is filled with equilateral triangles, one to five ranks that make one to several "
+         "pieces each make the mesh that one process makes, triangle by triangle, and come to the same verdict "
+         "on it.",
      .source = "properties/THEORY.md, Fill; Ranks",
      .families = filled_families}) {
   const Problem problem = some_problem_to_fill(exhibit);

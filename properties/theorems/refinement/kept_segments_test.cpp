@@ -1,11 +1,9 @@
 // Segments that may not be split, chosen by their markers.
 #include <algorithm>
-#include <set>
 #include <vector>
 
-#include "../../checker/violating_triangles.hpp"
 #include "../framework/shares.hpp"
-#include "meshing.hpp"
+#include "decorated.hpp"
 
 namespace pardel::properties {
 namespace {
@@ -26,9 +24,9 @@ bool mark_some_segments(Pslg& pslg) {
 
 PARDEL_PROPERTY(KeptSegments, are_not_split_and_what_misses_a_bound_for_this_is_listed,
                 {.statement = "Choose segments by a marker and keep them, and sometimes the boundary, too. In the mesh "
-                              "each of the chosen segments is one edge. The "
-                              "mesh conforms and is constrained Delaunay, and each triangle that misses a bound is "
-                              "listed in the report. Two threads make the same mesh.",
+                              "each of the chosen segments is one edge. The mesh conforms and is constrained "
+                              "Delaunay, and each triangle that misses a bound is listed in the report. Two threads "
+                              "make the same mesh.",
                  .source = "parallel/options.hpp, Options::kept_markers",
                  .families = every_family}) {
   Problem problem = some_problem(exhibit);
@@ -38,28 +36,14 @@ PARDEL_PROPERTY(KeptSegments, are_not_split_and_what_misses_a_bound_for_this_is_
   options.kept_markers = {kept_marker};
   options.no_boundary_splits = *rc::gen::arbitrary<bool>();
   const Meshed result = meshed(problem, exhibit, options);
-  const Mesh& mesh = result.mesh;
-  std::vector<int> edges(problem.pslg.segments.size(), 0);
-  for (const ConstrainedEdge& e : mesh.constrained_edges)
-    if (e.segment != no_index) ++edges[e.segment];
-  for (std::size_t s = 0; s < edges.size(); ++s)
-    if (problem.pslg.segments[s].marker == kept_marker) RC_ASSERT(edges[s] <= 1);
-
-  std::set<Index> listed;
-  bool is_missed = false;
-  for (const Exemption& e : result.report.exempt) {
-    listed.insert(e.triangle);
-    is_missed = is_missed || e.reason == ExemptReason::kept_segment;
-  }
+  const DecoratedProblem drawn{problem, options, {}};
+  require_kept_segments(drawn, result);
+  require_certified(drawn, result);
+  const bool is_missed = result.report.count(ExemptReason::kept_segment) > 0;
   RC_ASSERT(any || options.no_boundary_splits || !is_missed);
-  const Goal no_bounds{.min_angle_deg = 0, .convex_hull = problem.goal.convex_hull};
-  require_valid(check(problem.pslg, mesh, no_bounds));
-  for (const Violation& violation : check(problem.pslg, mesh, problem.goal).violations) {
-    RC_ASSERT(std::ranges::any_of(violating_triangles(violation, mesh), [&](Index t) { return listed.contains(t); }));
-  }
   classify(is_missed, "a bound is missed because of a kept segment", 20);
   options.threads = 2;
-  RC_ASSERT(value_of(pardel::mesh(problem.pslg, problem.goal, options)).mesh == mesh);
+  RC_ASSERT(value_of(pardel::mesh(problem.pslg, problem.goal, options)).mesh == result.mesh);
 }
 
 PARDEL_PROPERTY(KeptSegments, of_other_markers_change_nothing,

@@ -20,7 +20,8 @@ std::function<double(Point)> growing_sizes(const Problem& problem) {
 PARDEL_PROPERTY(
     Ranks, make_the_mesh_of_one_process,
     {.statement = "For every domain, goal and field of sizes, on tiles of every kind, with random delays of "
-                  "messages, two to six ranks make the mesh that one process makes, triangle by triangle, with the same markers, "
+                  "messages, two to six ranks make the mesh that one process makes, triangle by triangle, with the "
+                  "same markers, "
                   "attributes and origins of points.",
      .source = "properties/THEORY.md, Ranks",
      .families = "lattice domains of every family, random goals, fields of sizes, and options"}) {

@@ -241,6 +241,12 @@ TEST(Repair, drops_a_hole_whose_outline_becomes_a_point) {
     EXPECT_TRUE(result.domain.pslg().holes.empty()) << snap;
     EXPECT_TRUE(result.log.back().starts_with("Dropped: Hole 0 at (501, 501) lies ")) << result.log.back();
   }
+  // A hole beside a crack that becomes a point stays.
+  Pslg cracked = square(1000);
+  cracked.points.insert(cracked.points.end(), {{300, 300}, {700, 300}, {700, 700}, {300, 700}, {500, 500}, {503, 503}});
+  cracked.segments.insert(cracked.segments.end(), {{4, 5}, {5, 6}, {6, 7}, {7, 4}, {8, 9}});
+  cracked.holes = {{501, 502}};
+  EXPECT_EQ(repaired(cracked, 5).domain.pslg().holes.size(), 1U);
   // A hole beside such a place stays.
   pslg.holes = {{504, 504}};
   pslg.points.insert(pslg.points.end(), {{400, 400}, {600, 400}, {600, 600}, {400, 600}});
