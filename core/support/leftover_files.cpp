@@ -1,16 +1,19 @@
 #include "leftover_files.hpp"
 
+#include <dirent.h>
 #include <signal.h>  // NOLINT(modernize-deprecated-headers): kill() is of POSIX
 #include <unistd.h>
 
 #include <cerrno>
 #include <charconv>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 #include "this_machine.hpp"
 
@@ -57,6 +60,19 @@ bool has_ended(const PartialName& name) {
          errno == ESRCH;
 }
 
+/// The names of the files in a folder; none if it cannot be read. Not with std::filesystem::directory_iterator: that of
+/// GCC 12 ends the process if there is no memory.
+std::vector<std::string> entries_of(const fs::path& folder) {
+  struct Close {
+    void operator()(DIR* open) const { ::closedir(open); }
+  };
+  std::vector<std::string> names;
+  const std::unique_ptr<DIR, Close> open(::opendir(folder.empty() ? "." : folder.c_str()));
+  if (!open) return names;
+  while (const dirent* entry = ::readdir(open.get())) names.emplace_back(entry->d_name);
+  return names;
+}
+
 }  // namespace
 
 fs::path partial_name(const fs::path& file, std::uint64_t number) {
@@ -69,12 +85,10 @@ void remove_leftovers(std::span<const fs::path> files) {
   std::map<fs::path, std::set<std::string>> names_in;  // each folder is read once
   for (const fs::path& file : files) names_in[file.parent_path()].insert(file.filename().string());
   for (const auto& [folder, names] : names_in) {
-    std::error_code failure;  // a folder that cannot be read keeps its files
-    for (fs::directory_iterator entry(folder.empty() ? "." : folder, failure), end; !failure && entry != end;
-         entry.increment(failure)) {
-      const auto parts = parts_of(entry->path().filename().string());
+    for (const std::string& name : entries_of(folder)) {
+      const auto parts = parts_of(name);
       std::error_code ignored;
-      if (parts && names.contains(parts->file) && has_ended(*parts)) fs::remove(entry->path(), ignored);
+      if (parts && names.contains(parts->file) && has_ended(*parts)) fs::remove(folder / name, ignored);
     }
   }
 }

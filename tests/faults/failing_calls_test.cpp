@@ -2,6 +2,7 @@
 // does what it does without the failure. Its outputs are then complete, old or new, and no other file remains. Files
 // that get their names together are all old or all new.
 // Without PARDEL_FAULT_CASES some of the calls fail in turn; with a large value every call does (fuzz/faults).
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -131,7 +132,12 @@ TEST_P(FailingCalls, end_the_command_or_change_nothing) {
     ASSERT_TRUE(normal.ran.exit_code == 0 || normal.ran.exit_code == 3) << normal.ran;
     const std::uint64_t calls = number_of_calls();
     all_calls += calls;
-    for (const std::uint64_t number : selection(calls, usual))
+    std::vector<std::uint64_t> numbers = selection(calls, usual);
+    // While files get their names, there are few calls, and their number depends on the folder.
+    constexpr std::uint64_t at_the_end = 64;
+    if (GetParam() == "memory" && command.name == "convert")
+      for (std::uint64_t last = std::min(calls, at_the_end); last > 0; --last) numbers.push_back(calls - last + 1);
+    for (const std::uint64_t number : numbers)
       for (const bool and_later : {false, true}) {
         const Fault fault{GetParam(), number, and_later};
         SCOPED_TRACE(command.name + ", PARDEL_FAULT=" + fault.text());
