@@ -144,7 +144,7 @@ Result<Mesh> files::parse_gr3(std::string_view text, const std::string& name) {
   if (!in.room_for(triangles, text_bytes(5), "elements")) return in.error();
   Mesh mesh;
   mesh.points.resize(points);
-  mesh.attributes_per_point = 1;
+  mesh.attributes_per_point = points > 0 ? 1 : 0;
   mesh.point_attributes.resize(points);
   read_nodes(in, mesh);
   mesh.triangles.resize(triangles);

@@ -77,7 +77,7 @@ class TwoDmReader {
     if (const std::size_t id = nodes_.repeated()) in.fail("two nodes have the number " + std::to_string(id));
     if (nodes_.size() > max_points) in.fail("has more nodes than a mesh can hold");
     mesh_.points.resize(nodes_.size());
-    mesh_.attributes_per_point = 1;
+    mesh_.attributes_per_point = nodes_.size() > 0 ? 1 : 0;
     mesh_.point_attributes.resize(nodes_.size());
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       mesh_.points[i] = nodes_[i];

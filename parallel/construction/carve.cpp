@@ -26,7 +26,8 @@ std::vector<Constraint> constrain_hull(Triangulation& t, std::span<const Triangl
 
 }  // namespace
 
-std::vector<Constraint> carve(Triangulation& t, const DomainRules& rules, const Threads& threads) {
+std::vector<Constraint> carve(Triangulation& t, const DomainRules& rules, const Threads& threads,
+                              const std::function<void(std::span<const TriangleId>)>& look_at_outside) {
   const std::size_t n = t.slots.size();
   const Array<TriangleId> ghosts = indices_where(threads, n, [&](std::size_t id) { return t.slots[id].is_ghost(); });
   SparseAsk ask(threads.stop);
@@ -59,6 +60,7 @@ std::vector<Constraint> carve(Triangulation& t, const DomainRules& rules, const 
   }
 
   const Array<TriangleId> outside = indices_where(threads, n, [&](std::size_t id) { return label[id] == removed; });
+  look_at_outside(outside.span());
   remove_triangles(
       t, outside.span(), [&](TriangleId id) { return label[id] == removed; },
       [&](TriangleId from, TriangleId to) { label[to] = label[from]; }, ask);

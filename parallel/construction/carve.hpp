@@ -1,6 +1,8 @@
 // Removal of the triangles outside a domain.
 #pragma once
 
+#include <functional>
+#include <span>
 #include <vector>
 
 #include "../concurrency/threads.hpp"
@@ -19,7 +21,10 @@ struct DomainRules {
 /// Removes the ghosts, the exterior and the holes, and renumbers the remaining triangles from 0. If there are seeds,
 /// sets Triangulation::region of each triangle to the index of the last seed from which it can be reached without
 /// crossing a constraint, or to no_index. With convex_hull, returns the hull edges that became constraints. The number
-/// of threads does not change the result.
-[[nodiscard]] std::vector<Constraint> carve(Triangulation& t, const DomainRules& rules, const Threads& threads = {});
+/// of threads does not change the result. Before triangles of the exterior or of holes are removed, `look_at_outside`
+/// is called with all of them and the ghosts.
+[[nodiscard]] std::vector<Constraint> carve(
+    Triangulation& t, const DomainRules& rules, const Threads& threads = {},
+    const std::function<void(std::span<const TriangleId>)>& look_at_outside = [](auto) {});
 
 }  // namespace pardel::engine

@@ -6,6 +6,7 @@
 #include "../construction/carve.hpp"
 #include "../construction/delaunay.hpp"
 #include "../construction/insert_constraints.hpp"
+#include "hairlines.hpp"
 
 namespace pardel::engine {
 namespace {
@@ -17,6 +18,30 @@ std::vector<Index> inverse(std::span<const Index> permutation, SparseAsk& ask) {
     result[permutation[i]] = static_cast<Index>(i);
   }
   return result;
+}
+
+std::vector<FlatTriangle> flat_triangles(const Triangulation& t, std::span<const TriangleId> among,
+                                         const Threads& threads) {
+  std::vector<FlatTriangle> flat;
+  SparseAsk ask(threads.stop);
+  for (const TriangleId id : among) {
+    ask();
+    const Slot& slot = t.slots[id];
+    if (!slot.is_ghost())
+      add_if_flat(
+          t, slot, [](VertexId v) { return v; }, flat);
+  }
+  return flat;
+}
+
+void keep_clear(std::vector<Hairline> all, DomainSegments& segments, const Array<Point>& points) {
+  for (Hairline& line : all) {
+    const auto tip = static_cast<VertexId>(line.tip);
+    if (segments.segments_at(tip).empty()) continue;
+    line.slope = slope_at_tip(line, tip, segments, points);
+    const auto a = static_cast<VertexId>(line.a), b = static_cast<VertexId>(line.b);
+    keep_clear(line, tip, segment_between(a, b, segments), segments, points);
+  }
 }
 
 }  // namespace
@@ -48,7 +73,9 @@ Result<DomainTriangulation> triangulate_domain(const Pslg& pslg, bool convex_hul
 
   DomainRules rules{convex_hull || pslg.segments.empty(), pslg.holes, {}};
   for (const Region& region : pslg.regions) rules.region_seeds.push_back(region.seed);
-  for (const Constraint hull_edge : carve(t, rules, threads)) {
+  std::vector<FlatTriangle> flat;
+  const auto look_for_flat = [&](std::span<const TriangleId> outside) { flat = flat_triangles(t, outside, threads); };
+  for (const Constraint hull_edge : carve(t, rules, threads, look_for_flat)) {
     constraints.push_back(hull_edge);
     domain.input_segment.push_back(no_index);
     markers.push_back(0);
@@ -58,6 +85,7 @@ Result<DomainTriangulation> triangulate_domain(const Pslg& pslg, bool convex_hul
                  "the domain is empty: the segments enclose no area, or the holes remove all of it"};
   t.origin = make_array(threads, t.points.size(), [](std::size_t) { return input_vertex; });
   domain.segments = DomainSegments(t.points, constraints, markers, threads);
+  keep_clear(hairlines_among(flat), domain.segments, t.points);
   return domain;
 }
 

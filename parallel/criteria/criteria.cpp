@@ -97,10 +97,9 @@ SizeAround Criteria::size_around(Point p, LocalHints& hints) const {
   return {p, keeps > 0 ? squared(keeps) * squared(stricter) : 0, squared(exceeds) / stricter};
 }
 
-Criteria::SizeBounds Criteria::size_bounds(Point a, Point b, Point c, Index region, LocalHints& hints) const {
+Criteria::SizeBounds Criteria::size_bounds(Point centroid, Index region, LocalHints& hints) const {
   SizeBounds bounds{twice_max_area_, squared_max_edge_};
   if (!has_local_size_) return bounds;
-  const Point centroid = centroid_of(a, b, c);
   if (region < twice_region_cap_.size()) bounds.twice_area = std::min(bounds.twice_area, twice_region_cap_[region]);
   if (size_) bounds.squared_edge = std::min(bounds.squared_edge, squared(size_(centroid, hints.size)));
   if (area_cap_) bounds.twice_area = std::min(bounds.twice_area, 2 * area_cap_(centroid, hints.area));
@@ -129,7 +128,8 @@ Point Criteria::split_point(Point q, Point r, Point a, Index region, LocalHints&
   const double r2 = shape.squared[2], twice_area = shape.twice_area;
   auto [dx, dy] = to_circumcentre({rx, ry}, {ax, ay}, twice_area);
   double height = off_centre_height_;
-  if (fills_) height = std::min(height, filling_height(size_bounds(q, r, a, region, hints), twice_area, r2));
+  if (fills_)
+    height = std::min(height, filling_height(size_bounds(q, r, a, region, hints), twice_area, r2));
   if (height < INFINITY) {
     const double offx = 0.5 * rx - height * ry;
     const double offy = 0.5 * ry + height * rx;
@@ -147,9 +147,13 @@ double Criteria::triangles_needed(const Shape& s, Index region) const {
   return s.twice_area / cap;
 }
 
+double Criteria::twice_area_wanted(Point p, Index region, LocalHints& hints) const {
+  const SizeBounds bounds = size_bounds(p, region, hints);
+  return fill_ * std::min(bounds.twice_area, 0.6 * bounds.squared_edge);
+}
+
 double Criteria::triangles_wanted(const Shape& s, Index region, LocalHints& hints) const {
-  const SizeBounds bounds = size_bounds(s.p[0], s.p[1], s.p[2], region, hints);
-  return s.twice_area / (fill_ * std::min(bounds.twice_area, 0.6 * bounds.squared_edge));
+  return s.twice_area / twice_area_wanted(s.centroid(), region, hints);
 }
 
 }  // namespace pardel::engine

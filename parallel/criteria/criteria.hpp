@@ -118,6 +118,8 @@ class Criteria {
 
   /// The estimated number of triangles by which the bounds on size replace this triangle.
   [[nodiscard]] double triangles_wanted(const Shape& s, Index region, LocalHints& hints) const;
+  /// Twice the area of the triangles that the bounds on size let expect at a place of the domain.
+  [[nodiscard]] double twice_area_wanted(Point p, Index region, LocalHints& hints) const;
   /// A lower bound on the number of triangles in the area of this triangle: its area divided by the area cap.
   [[nodiscard]] double triangles_needed(const Shape& s, Index region) const;
 
@@ -127,7 +129,11 @@ class Criteria {
   struct SizeBounds {
     double twice_area, squared_edge;
   };
-  [[nodiscard]] SizeBounds size_bounds(Point a, Point b, Point c, Index region, LocalHints& hints) const;
+  [[nodiscard]] SizeBounds size_bounds(Point a, Point b, Point c, Index region, LocalHints& hints) const {
+    if (!has_local_size_) return {twice_max_area_, squared_max_edge_};
+    return size_bounds(centroid_of(a, b, c), region, hints);
+  }
+  [[nodiscard]] SizeBounds size_bounds(Point centroid, Index region, LocalHints& hints) const;
   /// The height, as a multiple of the shortest side, of the triangle that is as large as the bounds allow. Infinity for
   /// a triangle that is much too large.
   [[nodiscard]] double filling_height(const SizeBounds& bounds, double twice_area, double squared_shortest) const;

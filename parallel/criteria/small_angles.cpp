@@ -164,13 +164,24 @@ double fraction_of_pieces(double count, Point a, Point b) {
   return lexicographically_less(a, b) ? first : 1 - first;
 }
 
-/// The point at this fraction of the edge a-b, which is a part of the segment.
+/// The point at this fraction of the edge a-b, which is a part of the segment. If rounding moves it too far for
+/// something beside the segment, the next place on both sides that rounding moves less.
 Point point_at(double fraction, const Triangulation& t, const DomainSegments& segments, Index number, Point a,
                Point b) {
   const Point p{a.x + fraction * (b.x - a.x), a.y + fraction * (b.y - a.y)};
   const Constraint line = segments.line_at(t.points, number, p);
   const Point from = t.points[line.a], to = t.points[line.b];
-  return usable_on_edge(projected(p, from, to), a, b, from, to);
+  const auto on_line = [&](Point q) { return usable_on_edge(projected(q, from, to), a, b, from, to); };
+  const Point first = on_line(p);
+  if (!segments.has_clearances() || segments.may_split(t.points, number, {a, b}, first)) return first;
+  constexpr int most_places = 32;  // on each side
+  const double few_roundings = 0x1p-51 * Box::around(a, b).largest_magnitude() / distance(a, b);
+  for (int place = 1; place <= most_places; ++place)
+    for (const double shift : {-place * few_roundings, place * few_roundings}) {
+      const Point q = on_line({p.x + shift * (b.x - a.x), p.y + shift * (b.y - a.y)});
+      if (q != a && q != b && segments.may_split(t.points, number, {a, b}, q)) return q;
+    }
+  return first;
 }
 
 double dot(Point o, Point p, Point q) { return (p.x - o.x) * (q.x - o.x) + (p.y - o.y) * (q.y - o.y); }

@@ -12,6 +12,7 @@
 #include "../concurrency/parallel_arrays.hpp"
 #include "../construction/begin_with_latest.hpp"
 #include "../construction/insert_constraints.hpp"
+#include "../conversion/hairlines.hpp"
 #include "../given_points/shared_hull.hpp"
 #include "../given_segments/common_segments.hpp"
 #include "../given_segments/common_vertices.hpp"
@@ -19,6 +20,7 @@
 #include "../given_segments/problems_of_domain.hpp"
 #include "../given_segments/segments_around.hpp"
 #include "../given_segments/sides_of_triangles.hpp"
+#include "../triangulation/triangle_shape.hpp"
 #include "labels.hpp"
 #include "triangles_at_borders.hpp"
 
@@ -85,6 +87,7 @@ class PartMaker {
       if (Status valid = whole_status(); !valid) return valid.error();
     number_triangles(labels);
     number_vertices();
+    hairlines_ = find_hairlines(labels);
     add_segments();  // before the points: it may add vertices
     add_points();
     add_triangles(labels);
@@ -122,6 +125,18 @@ class PartMaker {
     begin_with_latest(t_, first_three, with_early_third(first_three[2], when), threads_);
     constrain(sides, delaunay_);
     return agree(insert_in_order(t_, crossing, threads_), ranks_);
+  }
+
+  /// Each rank tells the others about the flat triangles that are at home there.
+  [[nodiscard]] std::vector<Hairline> find_hairlines(const Labels& labels) {
+    std::vector<FlatTriangle> flat;
+    for (TriangleId id = 0; id < t_.slots.size(); ++id) {
+      const Slot& slot = t_.slots[id];
+      if (!slot.is_ghost() && delaunay_.is_own(least_corner(t_, slot)) && !labels.is_in_domain(id))
+        add_if_flat(
+            t_, slot, [&](VertexId v) { return delaunay_.site(v).position; }, flat);
+    }
+    return hairlines_among(concatenated(lists_of_all(flat, ranks_)));
   }
 
   void number_triangles(const Labels& labels) {
@@ -267,7 +282,8 @@ class PartMaker {
     std::vector<std::uint64_t> needed;
     for (Index i = 0; i < part_.common; ++i) needed.push_back((*common_)[i].position);
     for (const VertexId v : others_) needed.push_back(delaunay_.site(v).position);
-    const SegmentsAround around(common, segments_.own, std::move(needed), own_, ranks_, threads_);
+    SegmentsAround around(common, segments_.own, std::move(needed), own_, ranks_, threads_);
+    around.keep_clear(std::move(hairlines_));
     segments_ = {};
     std::vector<VertexId> vertex(around.ends().size(), no_index);  // in the part
     const auto vertex_of = [&](Index end) {
@@ -313,7 +329,7 @@ class PartMaker {
     const bool is_of_others = named.name.creator != Name::everyone && named.name.creator != Name::rank(ranks_.rank());
     if (is_of_others) part_.named_segments.emplace_back(static_cast<Index>(domain.segments.size()), named.name);
     domain.segments.add({vertex_of(s.a), vertex_of(s.b), s.cosine_at_a, s.cosine_at_b, apex, named.segment.marker},
-                        places);
+                        places, around.domain_segments().clearances(number));
     domain.input_segment.push_back(named.segment.number);
   }
 
@@ -337,6 +353,7 @@ class PartMaker {
   std::uint64_t first_;  ///< the position of the first own point
   SharedHull hull_;
   DividedSegments segments_;
+  std::vector<Hairline> hairlines_;
   std::optional<CommonVertices> common_;
   /// The slots of the part's triangles, first those with own corners; for each slot its new index, or no_index.
   Array<Index> kept_, place_;

@@ -132,8 +132,34 @@ Index SegmentsAround::index_of(const Site& end) const {
   return is_own(end.position) ? index_of_own_[end.position - first_] : count_before(ends_, end.position);
 }
 
+Index SegmentsAround::index_of(std::uint64_t position) const {
+  const Index before = count_before(ends_, position);
+  return before < ends_.size() && ends_[before].position == position ? before : no_index;
+}
+
+Array<Point> SegmentsAround::places_of_ends(const Threads& threads) const {
+  return make_array(threads, ends_.size(), [&](std::size_t i) { return ends_[i].at; });
+}
+
+/// The owner of a tip knows all segments there.
+void SegmentsAround::keep_clear(std::vector<Hairline> all) {
+  if (all.empty()) return;
+  const Array<Point> points = places_of_ends({});
+  std::vector<Hairline> here;
+  for (Hairline& line : all) {
+    if (!is_own(line.tip)) continue;
+    const Index tip = index_of(line.tip);
+    if (tip == no_index) continue;
+    line.slope = slope_at_tip(line, tip, domain_segments_, points);
+    here.push_back(line);
+  }
+  for (const Hairline& line : concatenated(lists_of_all(here, ranks_)))
+    engine::keep_clear(line, index_of(line.tip), segment_between(index_of(line.a), index_of(line.b), domain_segments_),
+                       domain_segments_, points);
+}
+
 void SegmentsAround::compute(const Threads& threads) {
-  const Array<Point> points = make_array(threads, ends_.size(), [&](std::size_t i) { return ends_[i].at; });
+  const Array<Point> points = places_of_ends(threads);
   std::vector<Constraint> constraints;
   constraints.reserve(segments_.size());
   for (const auto& [s, name] : segments_) constraints.push_back({index_of(s.a), index_of(s.b)});

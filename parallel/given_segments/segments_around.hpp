@@ -7,6 +7,7 @@
 
 #include "../../core/ranks.hpp"
 #include "../concurrency/threads.hpp"
+#include "../conversion/hairlines.hpp"
 #include "../given_points/own_points.hpp"
 #include "../parts/names.hpp"
 #include "../triangulation/domain_segments.hpp"
@@ -28,6 +29,9 @@ class SegmentsAround {
   /// own points need not be among them.
   SegmentsAround(std::span<const GivenSegment> common, std::span<const GivenSegment> own,
                  std::vector<std::uint64_t> needed, const OwnPoints& points, Ranks& ranks, const Threads& threads);
+
+  /// Collective. Makes domain_segments() stay clear of each other at hairlines. `all`: the same on all ranks.
+  void keep_clear(std::vector<Hairline> all);
 
   /// First the common ones, then those that this rank has named, then others; and those at the other ends of these.
   /// They have the same indices in domain_segments().
@@ -51,6 +55,9 @@ class SegmentsAround {
   }
   /// The place of an end in ends().
   [[nodiscard]] Index index_of(const Site& end) const;
+  /// The same; no_index if it is no end.
+  [[nodiscard]] Index index_of(std::uint64_t position) const;
+  [[nodiscard]] Array<Point> places_of_ends(const Threads& threads) const;
 
   const OwnPoints& points_;
   Ranks& ranks_;

@@ -6,12 +6,21 @@ namespace {
 /// Other origins travel in the lower half. No name has this creator.
 constexpr std::uint64_t no_segment = std::uint64_t{no_index} << 32U;
 
+/// The first elements of a list, which loses them.
+template <class T>
+std::span<const T> taken(std::span<const T>& list, std::size_t count) {
+  if (count > list.size()) throw Reader::does_not_match();
+  const std::span<const T> first = list.first(count);
+  list = list.subspan(count);
+  return first;
+}
+
 }  // namespace
 
 DomainTriangulation HeldSegments::domain_of_common() const {
   DomainTriangulation common;
   for (Index s = 0; s < common_; ++s) {
-    common.segments.add(domain_.segments[s], domain_.segments.places_beside_ends(s));
+    common.segments.add(domain_.segments[s], domain_.segments.places_beside_ends(s), domain_.segments.clearances(s));
     common.input_segment.push_back(domain_.input_segment[s]);
   }
   return common;
@@ -54,7 +63,7 @@ HeldSegments::Outgoing HeldSegments::leaving_with(std::span<const VertexId> corn
 }
 
 void HeldSegments::place(const TravellingSegment& arrived, std::span<const TravellingPlace> places,
-                         std::span<const VertexId> vertices) {
+                         std::span<const TravellingClearance> clearances, std::span<const VertexId> vertices) {
   const Name name = Names::unpacked(arrived.name);
   if (names_.index_of(name) != no_index) return;
   if (arrived.a >= vertices.size() || arrived.b >= vertices.size()) throw Reader::does_not_match();
@@ -63,21 +72,22 @@ void HeldSegments::place(const TravellingSegment& arrived, std::span<const Trave
   const VertexId apex = arrived.narrow == Narrow::at_a ? a : arrived.narrow == Narrow::at_b ? b : no_index;
   std::vector<PlaceBesideEnd> beside_ends;
   for (const TravellingPlace& each : places) beside_ends.push_back({each.at_b != 0 ? b : a, each.distance, each.gap});
+  std::vector<Clearance> beside;
+  for (const auto& [x, y, gap, slope, is_passed] : clearances) beside.push_back({{x, y}, gap, slope, is_passed != 0});
   names_.bind(name, static_cast<Index>(domain_.segments.size()));
-  domain_.segments.add({a, b, arrived.cosine_at_a, arrived.cosine_at_b, apex, arrived.marker}, beside_ends);
+  domain_.segments.add({a, b, arrived.cosine_at_a, arrived.cosine_at_b, apex, arrived.marker}, beside_ends, beside);
   domain_.input_segment.push_back(arrived.input);
 }
 
 void HeldSegments::read(Reader& message, std::span<const VertexId> vertices) {
   const auto segments = message.list<TravellingSegment>();
   const auto places = message.list<TravellingPlace>();
-  std::span<const TravellingPlace> rest = places;
-  for (const TravellingSegment& arrived : segments) {
-    if (arrived.places > rest.size()) throw Reader::does_not_match();
-    place(arrived, rest.first(arrived.places), vertices);
-    rest = rest.subspan(arrived.places);
-  }
-  if (!rest.empty()) throw Reader::does_not_match();
+  const auto clearances = message.list<TravellingClearance>();
+  std::span<const TravellingPlace> places_left = places;
+  std::span<const TravellingClearance> clearances_left = clearances;
+  for (const TravellingSegment& arrived : segments)
+    place(arrived, taken(places_left, arrived.places), taken(clearances_left, arrived.clearances), vertices);
+  if (!places_left.empty() || !clearances_left.empty()) throw Reader::does_not_match();
   const auto ends = message.list<TravellingEnd>();
   const auto names = message.list<std::uint64_t>();
   auto next = names.begin();

@@ -53,6 +53,10 @@ class HeldSegments {
     double distance, gap;
     std::uint64_t at_b;  ///< 1 if the apex is end b, else 0
   };
+  struct TravellingClearance {
+    double x, y, gap, slope;
+    std::uint64_t is_passed;  ///< 1 or 0
+  };
   struct TravellingEnd {
     Index vertex, count;
   };
@@ -60,7 +64,7 @@ class HeldSegments {
   template <class PlaceOf>
   [[nodiscard]] TravellingSegment travelling(Index segment, const PlaceOf& place_of) const;
   void place(const TravellingSegment& arrived, std::span<const TravellingPlace> places,
-             std::span<const VertexId> vertices);
+             std::span<const TravellingClearance> clearances, std::span<const VertexId> vertices);
 
   DomainTriangulation& domain_;
   Index common_;
@@ -76,7 +80,8 @@ struct HeldSegments::TravellingSegment {
   Narrow narrow;
   Index input;
   int marker;
-  Index places;  ///< the number of places beside ends
+  Index places;              ///< the number of places beside ends
+  std::uint64_t clearances;  ///< their number
 };
 
 template <class PlaceOf>
@@ -92,7 +97,8 @@ HeldSegments::TravellingSegment HeldSegments::travelling(Index segment, const Pl
           narrow,
           domain_.input_segment[segment],
           s.marker,
-          static_cast<Index>(domain_.segments.places_beside_ends(segment).size())};
+          static_cast<Index>(domain_.segments.places_beside_ends(segment).size()),
+          domain_.segments.clearances(segment).size()};
 }
 
 template <class PlaceOf>
@@ -104,6 +110,11 @@ void HeldSegments::write(const Outgoing& outgoing, const PlaceOf& place_of, Writ
     for (const PlaceBesideEnd& place : domain_.segments.places_beside_ends(s))
       places.push_back({place.distance, place.gap, place.apex == domain_.segments[s].b ? 1U : 0U});
   message.list(places);
+  std::vector<TravellingClearance> clearances;
+  for (const Index s : segments)
+    for (const Clearance& c : domain_.segments.clearances(s))
+      clearances.push_back({c.at.x, c.at.y, c.gap, c.slope, c.is_passed ? 1U : 0U});
+  message.list(clearances);
   message.list_of<TravellingEnd>(outgoing.ends.size(), [&](std::size_t i) {
     return TravellingEnd{place_of(outgoing.ends[i]), outgoing.count[i]};
   });

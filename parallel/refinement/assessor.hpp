@@ -112,6 +112,12 @@ class Assessor {
     return criteria_.split_point(t_.points[slot.from(side)], t_.points[slot.to(side)], t_.points[slot.apex(side)],
                                  region_of(shortest.triangle()), hints);
   }
+  /// True if splitting e, a part of `segment`, at p leaves the segment clear of others outside the domain.
+  [[nodiscard]] bool may_split(EdgeRef e, Index segment, Point p) const {
+    if (!segments_.has_clearances()) return true;
+    const Slot& slot = t_.slot(e);
+    return segments_.may_split(t_.points, segment, {t_.points[slot.from(e.side())], t_.points[slot.to(e.side())]}, p);
+  }
   /// The input segment on which the constrained edge e lies.
   [[nodiscard]] Index segment_of(EdgeRef e) const;
   /// The region of a triangle; no_index if the domain has only one region.

@@ -25,7 +25,9 @@ class Reasons {
   [[nodiscard]] ExemptReason of_edge(EdgeRef e) {
     if (assessor_.forbidden(e)) return ExemptReason::kept_segment;
     if (assessor_.below_floor(e)) return ExemptReason::min_edge;
-    return of(insertion_.try_on_edge(assessor_.point_on(e), e, everywhere_));
+    const Point p = assessor_.point_on(e);
+    if (!assessor_.may_split(e, assessor_.segment_of(e), p)) return ExemptReason::precision;
+    return of(insertion_.try_on_edge(p, e, everywhere_));
   }
 
   [[nodiscard]] Exemption of_triangle(TriangleId id) {

@@ -195,7 +195,8 @@ Outcome Task::split_edge(EdgeRef e, TriangleId on_behalf_of) {
 }
 
 Outcome Task::split_edge_at(Point p, EdgeRef e, Index segment) {
-  return is_foreign(p) ? Outcome::leaves_box : insertion_.split_edge(p, e, segment, box_);
+  if (is_foreign(p)) return Outcome::leaves_box;
+  return assessor_.may_split(e, segment, p) ? insertion_.split_edge(p, e, segment, box_) : Outcome::refused;
 }
 
 void Task::count_refused() {

@@ -37,6 +37,7 @@ DomainSegments::DomainSegments(const Array<Point>& points, std::span<const Const
   find_smallest_angles(points, threads);
   find_narrow_apexes(points, ask);
   find_places_beside_ends(points, ask);
+  find_narrow_wedges(points, ask);
 }
 
 void DomainSegments::find_ends(SparseAsk& ask) {
@@ -150,7 +151,36 @@ std::optional<PlaceBesideEnd> DomainSegments::place_beside_end(const Array<Point
   return PlaceBesideEnd{apex, shorter, gap};
 }
 
-void DomainSegments::add(const DomainSegment& segment, std::span<const PlaceBesideEnd> places_beside_ends) {
+/// A point that splits a segment is at least as far from the apex as the floor. At larger angles, it is farther from
+/// the other segment than rounding moves points.
+void DomainSegments::find_narrow_wedges(const Array<Point>& points, SparseAsk& ask) {
+  constexpr double cosine_of_narrow_wedge = 0.998;
+  const auto is_in_wedge = [&](const DomainSegment& s) {
+    return std::max(s.cosine_at_a, s.cosine_at_b) > cosine_of_narrow_wedge;
+  };
+  if (std::ranges::none_of(segments_, is_in_wedge)) return;
+  for (std::size_t end = 0; end < ends_.size(); ++end) {
+    ask();
+    for_each_angle_at(end, [&](VertexId v, Index here, Index next) {
+      const double at_most = std::min(segments_[here].cosine_at(v), segments_[next].cosine_at(v));
+      if (at_most <= cosine_of_narrow_wedge || cosine_at(points, v, here, next) <= cosine_of_narrow_wedge) return;
+      const Point o = points[v], p = points[other_end(here, v)], q = points[other_end(next, v)];
+      const double sine = std::abs(exact::twice_area(o, p, q)) / (distance(o, p) * distance(o, q));
+      for (const Index l : {here, next}) add_clearance(l, {o, 0, sine});
+    });
+  }
+}
+
+bool DomainSegments::stays_clear(const Array<Point>& points, Index segment, const EndPoints& edge, Point p) const {
+  const std::span<const Clearance> all = clearances(segment);
+  if (all.empty()) return true;
+  const Constraint line = line_at(points, segment, p);
+  return keeps_clear(all, {points[line.a], points[line.b]}, edge, p);
+}
+
+void DomainSegments::add(const DomainSegment& segment, std::span<const PlaceBesideEnd> places_beside_ends,
+                         std::span<const Clearance> clearances) {
+  for (const Clearance& each : clearances) add_clearance(static_cast<Index>(segments_.size()), each);
   segments_.push_back(segment);
   places_.insert(places_.end(), places_beside_ends.begin(), places_beside_ends.end());
   first_place_.push_back(static_cast<Index>(places_.size()));

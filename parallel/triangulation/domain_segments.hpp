@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "../arithmetic/clearance.hpp"
 #include "../concurrency/threads.hpp"
 #include "../segments/segment_pieces.hpp"
 #include "triangulation.hpp"
@@ -51,7 +52,8 @@ class DomainSegments {
 
   // For a rank that has a part of the segments. What is added was computed where all segments around it are known.
   /// Adds a segment after the last one. Its direction and its angles stay as they are.
-  void add(const DomainSegment& segment, std::span<const PlaceBesideEnd> places_beside_ends);
+  void add(const DomainSegment& segment, std::span<const PlaceBesideEnd> places_beside_ends,
+           std::span<const Clearance> clearances);
   /// Adds a vertex with all segments that end there, in the order of segments_at(). Fast for a vertex that comes after
   /// those that were added before. Precondition: the vertex was not added.
   void add_end(VertexId v, std::span<const Index> segments);
@@ -89,6 +91,20 @@ class DomainSegments {
   [[nodiscard]] std::span<const PlaceBesideEnd> places_beside_ends(Index segment) const {
     return std::span(places_).subspan(first_place_[segment], first_place_[segment + 1] - first_place_[segment]);
   }
+  /// What is so close to a segment that rounding could move its split points across it: segments that form a narrow
+  /// wedge with it, and what add_clearance() has added.
+  [[nodiscard]] std::span<const Clearance> clearances(Index segment) const {
+    if (clearances_.empty()) return {};
+    const auto found = clearances_.find(segment);
+    return found == clearances_.end() ? std::span<const Clearance>() : found->second;
+  }
+  [[nodiscard]] bool has_clearances() const { return !clearances_.empty(); }
+  void add_clearance(Index segment, const Clearance& clearance) { clearances_[segment].push_back(clearance); }
+  /// True if the subsegment may be split at p (keeps_clear()).
+  [[nodiscard]] bool may_split(const Array<Point>& points, Index segment, const EndPoints& edge, Point p) const {
+    return !has_clearances() || stays_clear(points, segment, edge, p);
+  }
+
   /// The segments that end at a vertex, in the order of their directions; none if it is no end of a segment.
   [[nodiscard]] std::span<const Index> segments_at(VertexId v) const;
   /// The segment that contains the constrained edge u-v as a subsegment. no_index if there is no such segment; this
@@ -104,6 +120,7 @@ class DomainSegments {
   [[nodiscard]] double cosine_at(const Array<Point>& points, VertexId apex, Index first, Index second) const;
 
  private:
+  [[nodiscard]] bool stays_clear(const Array<Point>& points, Index segment, const EndPoints& edge, Point p) const;
   /// The segments that end at a vertex of ends_.
   [[nodiscard]] std::span<const Index> around(std::size_t end) const {
     return std::span(incident_).subspan(start_[end], start_[end + 1] - start_[end]);
@@ -121,6 +138,7 @@ class DomainSegments {
   void find_smallest_angles(const Array<Point>& points, const Threads& threads);
   void find_narrow_apexes(const Array<Point>& points, SparseAsk& ask);
   void find_places_beside_ends(const Array<Point>& points, SparseAsk& ask);
+  void find_narrow_wedges(const Array<Point>& points, SparseAsk& ask);
   [[nodiscard]] std::optional<PlaceBesideEnd> place_beside_end(const Array<Point>& points, VertexId apex, Index segment,
                                                                Index other) const;
 
@@ -131,7 +149,8 @@ class DomainSegments {
   std::vector<PlaceBesideEnd> places_;  ///< on segment s: from first_place_[s] to first_place_[s + 1] - 1
   std::vector<Index> first_place_{0};
   std::vector<Index> start_{0}, incident_;  ///< at ends_[i] end the segments incident_[start_[i]] to start_[i + 1] - 1
-  std::unordered_map<VertexId, std::vector<Index>> late_ends_;  ///< vertices that were added out of order
+  std::unordered_map<Index, std::vector<Clearance>> clearances_;  ///< of the segments that have some
+  std::unordered_map<VertexId, std::vector<Index>> late_ends_;    ///< vertices that were added out of order
 };
 
 }  // namespace pardel::engine

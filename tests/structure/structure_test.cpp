@@ -33,6 +33,7 @@ const std::map<std::string, std::vector<std::string>> covering_tests = {
     {"concurrency/tiles", {"scheduling/tiling_record_test", "scheduling/pending_triangles_test"}},
     {"concurrency/watched_array", {"scheduling/touches_test"}},
     {"conversion/export_mesh", {"conversion/import_export_test"}},
+    {"conversion/hairlines_outside", {"conversion/hairlines_test"}},
     {"conversion/import_mesh", {"conversion/import_export_test"}},
     {"construction/begin_with_latest", {"construction/delaunay_test", "divided_points/mesh_of_points_test"}},
     {"construction/insertion_order", {"construction/delaunay_test", "given_points/local_delaunay_test"}},

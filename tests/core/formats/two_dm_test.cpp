@@ -56,6 +56,11 @@ TEST(TwoDm, without_materials_has_no_regions) {
                   .region_attributes.empty());
 }
 
+TEST(TwoDm, without_nodes_has_no_heights) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(read_2dm(folder, "MESH2D\n").attributes_per_point, 0U);
+}
+
 TEST(TwoDm, errors_name_the_line_and_the_fault) {
   const TemporaryFolder folder;
   const auto failure = [&](const std::string& text) {

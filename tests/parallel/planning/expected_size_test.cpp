@@ -50,6 +50,16 @@ TEST(ExpectedSize, is_right_within_a_factor_where_the_geometry_and_gradation_det
   }
 }
 
+TEST(ExpectedSize, counts_narrow_gaps_outside_the_domain) {
+  for (const double gap : {1e-3, 1e-4}) {
+    Pslg pslg;
+    testing::add_square(pslg, 1, {0, 0});
+    testing::add_square(pslg, 1, {1 + gap, 0});
+    expect_right_within_factor(2.5, "gap of " + std::to_string(gap), pslg, {.grading = 0.5});
+    expect_right_within_factor(2.5, "gap of " + std::to_string(gap), pslg, {.feature_edges = 1});
+  }
+}
+
 TEST(ExpectedSize, is_right_within_a_factor_in_narrow_parts) {
   for (const double degrees : {20.7, 30.0}) {
     for (const double width : {1e-4, 3e-5})
