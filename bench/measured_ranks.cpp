@@ -3,7 +3,7 @@
 #include <mpi.h>
 
 #include "../core/support/stopwatch.hpp"
-#include "../parallel/distributed.hpp"
+#include "../distributed/distributed.hpp"
 #include "model/recording_ranks.hpp"
 #include "warm_memory.hpp"
 

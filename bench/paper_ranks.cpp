@@ -8,8 +8,8 @@
 #include <string>
 
 #include "../core/support/stopwatch.hpp"
+#include "../distributed/distributed.hpp"
 #include "../mpi/mpi_ranks.hpp"
-#include "../parallel/distributed.hpp"
 #include "../properties/domains/dealt_domain.hpp"
 #include "../properties/domains/domains.hpp"
 #include "mpi_program.hpp"

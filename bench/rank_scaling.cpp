@@ -14,8 +14,8 @@
 
 #include "../core/digest.hpp"
 #include "../core/support/stopwatch.hpp"
+#include "../distributed/distributed.hpp"
 #include "../mpi/mpi_ranks.hpp"
-#include "../parallel/distributed.hpp"
 #include "../parallel/mesher.hpp"
 #include "../properties/domains/dealt_domain.hpp"
 #include "mpi_program.hpp"

@@ -1,6 +1,7 @@
 # Installation in parts. The package `pardel` needs the standard library, OpenMP and zlib only. Its component `properties`
 # (the checker, the domains and their generators) also needs CGAL, so users of the mesher alone do not need CGAL. The
-# component `mpi` (the ranks of an MPI job) needs MPI.
+# component `distributed` has what several processes need to make one mesh, and the component `mpi`, which needs MPI, the
+# ranks of an MPI job.
 include(CMakePackageConfigHelpers)
 set(PARDEL_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/pardel)
 
@@ -11,6 +12,10 @@ endfunction()
 
 pardel_install_libraries(pardelTargets pardel_settings pardel_core pardel_formats pardel_parallel)
 pardel_install_headers(${PARDEL_MESHER_FOLDERS})
+if(TARGET pardel_distributed)
+  pardel_install_libraries(pardelDistributedTargets pardel_distributed)
+  pardel_install_headers(distributed)
+endif()
 install(FILES ${PROJECT_SOURCE_DIR}/parallel/pardel.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pardel)
 
 if(TARGET pardel_checker)

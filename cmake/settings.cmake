@@ -44,3 +44,25 @@ function(pardel_library name)
   set_target_properties(pardel_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
   target_link_libraries(pardel_${name} PUBLIC pardel_settings PRIVATE $<BUILD_INTERFACE:pardel_warnings>)
 endfunction()
+
+# Code of the engine, also where other libraries include its headers. Three fields stored as one vector are three fields
+# that the next instructions cannot load until all of it has reached the cache: vectors made of straight-line code cost
+# refinement a tenth of its time. Where two doubles go together, the code says so (arithmetic/pair.hpp).
+function(pardel_compile_as_engine library)
+  target_compile_options(${library} PRIVATE $<IF:$<CXX_COMPILER_ID:GNU>,-fno-tree-slp-vectorize,-fno-slp-vectorize>)
+endfunction()
+
+# The rooms that a regular expression names are compiled as one source each. In a Release build the others are not:
+# sources compiled together are inlined differently, and the gate (bench/gate) counted 9 % more instructions.
+function(pardel_compile_rooms_together library rooms)
+  set_target_properties(${library} PROPERTIES UNITY_BUILD_MODE GROUP)
+  if(NOT CMAKE_BUILD_TYPE STREQUAL "Release")
+    set(rooms "[a-z_]+")
+  endif()
+  get_target_property(sources ${library} SOURCES)
+  foreach(source IN LISTS sources)
+    if(source MATCHES "^(${rooms})/[^/]*$")
+      set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${CMAKE_MATCH_1})
+    endif()
+  endforeach()
+endfunction()

@@ -8,8 +8,8 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <pardel/distributed/distributed.hpp>
 #include <pardel/mpi/mpi_ranks.hpp>
-#include <pardel/parallel/distributed.hpp>
 #include <pardel/pardel.hpp>
 #include <vector>
 

@@ -9,7 +9,7 @@
 
 #include "../cli/points_outside.hpp"
 #include "../core/digest.hpp"
-#include "../parallel/distributed.hpp"
+#include "../distributed/distributed.hpp"
 #include "job.hpp"
 
 namespace pardel::mpi {

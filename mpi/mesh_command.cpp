@@ -35,7 +35,7 @@
 #include "../core/support/enum_names.hpp"
 #include "../core/support/open_file.hpp"
 #include "../core/support/stopwatch.hpp"
-#include "../parallel/distributed.hpp"
+#include "../distributed/distributed.hpp"
 #include "../parallel/mesher.hpp"
 #include "../properties/checker/check_pieces.hpp"
 #include "made.hpp"

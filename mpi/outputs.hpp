@@ -7,7 +7,7 @@
 
 #include "../cli/goal_options.hpp"
 #include "../core/formats.hpp"
-#include "../parallel/distributed.hpp"
+#include "../distributed/distributed.hpp"
 #include "job.hpp"
 
 namespace pardel::mpi {

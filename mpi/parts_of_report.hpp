@@ -5,7 +5,7 @@
 
 #include "../cli/report.hpp"
 #include "../core/ranks.hpp"
-#include "../parallel/distributed.hpp"
+#include "../distributed/distributed.hpp"
 #include "made.hpp"
 
 namespace pardel::mpi {

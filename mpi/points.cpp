@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "../cli/problems_text.hpp"
-#include "../parallel/distributed.hpp"
+#include "../distributed/distributed.hpp"
 
 namespace pardel::mpi {
 

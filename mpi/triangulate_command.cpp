@@ -12,7 +12,7 @@
 #include "../core/formats.hpp"
 #include "../core/support/agree.hpp"
 #include "../core/support/stopwatch.hpp"
-#include "../parallel/distributed.hpp"
+#include "../distributed/distributed.hpp"
 #include "made.hpp"
 #include "outputs.hpp"
 #include "points.hpp"

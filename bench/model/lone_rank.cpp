@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "../../parallel/distribution/distribution.hpp"
+#include "../../distributed/meshing/distribution.hpp"
 #include "../../parallel/scheduling/phase.hpp"
 #include "../tool.hpp"
 #include "thread_time.hpp"

@@ -14,8 +14,8 @@ using namespace engine;
 
 namespace {
 
-// The sizes of what travels (parallel/parts/held_part.cpp, and distribution.cpp and vertex_data.cpp in
-// parallel/distribution/). A test compares the bytes with those of real messages.
+// The sizes of what travels (distributed/subdomain/held_part.cpp, and distribution.cpp and vertex_data.cpp in
+// distributed/meshing/). A test compares the bytes with those of real messages.
 constexpr std::uint64_t bytes_of_list = 8, bytes_of_vertex = 32, bytes_of_triangle = 48, bytes_of_name = 8,
                         bytes_of_seed = 12, bytes_of_number = 8, bytes_of_answer = 8, bytes_of_rank = 4;
 

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "../../parallel/distribution/ownership.hpp"
-#include "../../parallel/parts/held_part.hpp"
+#include "../../distributed/meshing/ownership.hpp"
+#include "../../distributed/subdomain/held_part.hpp"
 #include "../../parallel/scheduling/phase.hpp"
 #include "simulation.hpp"
 

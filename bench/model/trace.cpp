@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "../../core/support/stop_signal.hpp"
+#include "../../distributed/meshing/piece.hpp"
 #include "../../parallel/concurrency/parallel_for.hpp"
 #include "../../parallel/diagnosis/find_gaps.hpp"
-#include "../../parallel/distribution/piece.hpp"
 #include "../../parallel/filling/refine_domain.hpp"
 #include "../../parallel/planning/run_plan.hpp"
 #include "../../parallel/planning/supervised.hpp"
@@ -191,7 +191,7 @@ class TracedDistribution : public Distribution {
   std::vector<Index> cell_with_;  ///< per slot: the cell whose task has left the triangle to later ones, or no_index
 };
 
-/// The steps of mesh_in_ranks() (parallel/distribution/mesh_in_ranks.cpp), measured.
+/// The steps of mesh_in_ranks() (distributed/meshing/mesh_in_ranks.cpp), measured.
 Result<Trace> traced(const ValidPslg& valid, const Goal& goal, const Options& options, ProgressMonitor& progress,
                      const std::vector<int>& ranks, Extent extent) {
   Trace trace;

@@ -10,7 +10,7 @@
 #include "../../bench/model/simulation.hpp"
 #include "../../bench/model/trace.hpp"
 #include "../../bench/tool.hpp"
-#include "../../parallel/distributed.hpp"
+#include "../../distributed/distributed.hpp"
 #include "../../properties/theorems/framework/local_ranks.hpp"
 
 namespace pardel::bench {

@@ -17,8 +17,8 @@
 
 #include "../../core/digest.hpp"
 #include "../../core/support/collective.hpp"
+#include "../../distributed/distributed.hpp"
 #include "../../mpi/mpi_ranks.hpp"
-#include "../../parallel/distributed.hpp"
 #include "../../parallel/mesher.hpp"
 #include "../../properties/comparison/all_arrays.hpp"
 #include "../../properties/domains/dealt_domain.hpp"

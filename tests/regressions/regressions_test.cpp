@@ -14,7 +14,7 @@
 
 #include "../../core/digest.hpp"
 #include "../../core/formats.hpp"
-#include "../../parallel/distributed.hpp"
+#include "../../distributed/distributed.hpp"
 #include "../../parallel/mesher.hpp"
 #include "../../parallel/repair.hpp"
 #include "../../parallel/validate.hpp"

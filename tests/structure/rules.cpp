@@ -24,6 +24,7 @@ const std::vector<Layer>& layers() {
   static const std::vector<Layer> table = {
       {"core", {}},
       {"parallel", {"core"}},
+      {"distributed", {"core", "parallel"}},
       {"ref", {"core"}},
       {"properties/checker", {"core"}},
       {"properties/domains", {"core"}},
@@ -31,20 +32,20 @@ const std::vector<Layer>& layers() {
       {"properties/defects", {"core", "properties/checker", "properties/domains"}},
       {"properties/wrong_meshes", {"core", "properties/checker", "properties/domains", "properties/defects"}},
       {"properties/theorems",
-       {"core", "parallel", "ref", "properties/checker", "properties/comparison", "properties/domains",
+       {"core", "parallel", "distributed", "ref", "properties/checker", "properties/comparison", "properties/domains",
         "properties/defects"}},
       {"properties/mutants", {"core", "properties/checker", "properties/defects", "properties/theorems"}},
       {"cli", {"core", "parallel", "properties/checker", "properties/domains"}},
       {"cli/harness", {"core", "properties/checker", "properties/domains", "cli"}},
-      {"mpi", {"core", "parallel", "properties/checker", "cli"}},
+      {"mpi", {"core", "parallel", "distributed", "properties/checker", "cli"}},
       {"fuzz",
        {"core", "parallel", "ref", "properties/checker", "properties/comparison", "properties/domains",
         "properties/defects", "properties/wrong_meshes", "properties/theorems", "cli"}},
-      {"bench", {"core", "parallel", "properties/checker", "properties/domains", "cli", "mpi"}},
-      {"examples", {"core", "parallel", "properties/checker", "properties/domains", "mpi"}},
+      {"bench", {"core", "parallel", "distributed", "properties/checker", "properties/domains", "cli", "mpi"}},
+      {"examples", {"core", "parallel", "distributed", "properties/checker", "properties/domains", "mpi"}},
       {"scripts", {}},
       {"tests",
-       {"core", "parallel", "ref", "properties/checker", "properties/comparison", "properties/domains",
+       {"core", "parallel", "distributed", "ref", "properties/checker", "properties/comparison", "properties/domains",
         "properties/defects", "properties/wrong_meshes", "properties/theorems", "properties/mutants", "cli",
         "cli/harness", "fuzz", "mpi", "bench"}},
   };
@@ -52,8 +53,8 @@ const std::vector<Layer>& layers() {
 }
 
 /// The folders whose headers are public. Headers in their subfolders are not public.
-const std::set<std::string, std::less<>> public_folders = {"core", "parallel", "properties/checker",
-                                                           "properties/domains", "properties/domains/generators"};
+const std::set<std::string, std::less<>> public_folders = {
+    "core", "parallel", "distributed", "properties/checker", "properties/domains", "properties/domains/generators"};
 
 /// A room is a subfolder of a public folder; it is private. Rooms have an order: a room may include itself, rooms of a
 /// lower rank in the same folder, and the folder's public headers. Files directly in the folder may include all its
@@ -80,14 +81,14 @@ const std::vector<Room>& rooms() {
       {"parallel", "parallel/patches", 5, "pardel::engine"},
       {"parallel", "parallel/scheduling", 6, "pardel::engine"},
       {"parallel", "parallel/conversion", 7, "pardel::engine"},
-      {"parallel", "parallel/parts", 8, "pardel::engine"},
       {"parallel", "parallel/diagnosis", 8, "pardel::engine"},
       {"parallel", "parallel/filling", 8, "pardel::engine"},
       {"parallel", "parallel/planning", 9, "pardel::engine"},
-      {"parallel", "parallel/distribution", 10, "pardel::engine"},
-      {"parallel", "parallel/given_points", 10, "pardel::engine"},
-      {"parallel", "parallel/given_segments", 11, "pardel::engine"},
-      {"parallel", "parallel/divided_points", 12, "pardel::engine"},
+      {"distributed", "distributed/subdomain", 0, "pardel::engine"},
+      {"distributed", "distributed/delaunay", 1, "pardel::engine"},
+      {"distributed", "distributed/cdt", 2, "pardel::engine"},
+      {"distributed", "distributed/meshing", 2, "pardel::engine"},
+      {"distributed", "distributed/divided_input", 3, "pardel::engine"},
       {"properties/domains", "properties/domains/generators/lattice", 0, "pardel::generators"},
       {"properties/checker", "properties/checker/arithmetic", 0, "pardel::checker"},
       {"properties/checker", "properties/checker/model", 1, "pardel::checker"},
@@ -106,6 +107,8 @@ struct Exception {
 const std::vector<Exception>& exceptions() {
   static const std::vector<Exception> table = {
       {"parallel", "core/support", "core/support is for all folders of the project"},
+      {"distributed", "core/support", "core/support is for all folders of the project"},
+      {"distributed", "parallel", "the ranks run the engine on their parts"},
       {"properties", "core/support", "core/support is for all folders of the project"},
       {"cli", "core/support", "core/support is for all folders of the project"},
       {"mpi", "core/support", "core/support is for all folders of the project"},
@@ -114,6 +117,8 @@ const std::vector<Exception>& exceptions() {
       {"tests", "core/support", "core/support is for all folders of the project"},
       {"tests/core", "core/formats", "tests the rooms of core"},
       {"tests/parallel", "parallel", "tests the rooms of the engine"},
+      {"tests/distributed", "distributed", "tests the rooms of the ranks"},
+      {"tests/distributed", "parallel", "compares parts of ranks with the engine's arrays"},
       {"tests/races", "parallel/concurrency", "proves that the sanitizer sees a race in the engine's own loops"},
       {"tests/properties/checker", "properties/checker", "tests the rooms of the checker"},
       {"tests/parallel", "properties/checker/arithmetic/exact.hpp", "compares the engine with exact arithmetic"},
@@ -125,6 +130,7 @@ const std::vector<Exception>& exceptions() {
       {"properties/wrong_meshes/drawing.cpp", "properties/checker/arithmetic/exact.hpp",
        "triangles of a wrong mesh are Delaunay, except where they are meant not to be"},
       {"bench/predicates_bench.cpp", "parallel/arithmetic/predicates.hpp", "measures the predicates alone"},
+      {"bench/model", "distributed", "replays the run of one process as that of many ranks"},
       {"bench/model", "parallel", "replays the run of one process as that of many ranks"},
       {"bench/workloads", "parallel/arithmetic", "measures the predicates alone, and each stage of them"},
       {"bench/workloads", "parallel/construction", "measures insertions without the rest of a triangulation"},
@@ -132,7 +138,7 @@ const std::vector<Exception>& exceptions() {
   return table;
 }
 
-/// The most files of one folder of parallel/.
+/// The most files of one folder of parallel/ or distributed/.
 constexpr std::size_t most_files_of_a_room = 16;
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -227,7 +233,7 @@ void check_namespaces(const std::string& file, const SourceFile& source, std::ve
 void check_sizes(const SourceTree& tree, std::vector<std::string>& found) {
   std::map<std::string, std::size_t> files;
   for (const auto& [file, source] : tree)
-    if (lies_in(file, "parallel")) ++files[folder_of(file)];
+    if (lies_in(file, "parallel") || lies_in(file, "distributed")) ++files[folder_of(file)];
   for (const auto& [folder, count] : files)
     if (count > most_files_of_a_room)
       found.push_back(folder + ": " + std::to_string(count) + " files, more than " +

@@ -1,7 +1,10 @@
 // The repository follows the rules of its structure, and every rule rejects a tree that breaks it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
+#include <set>
+#include <string>
 
 #include "../temporary_folder.hpp"
 #include "rules.hpp"
@@ -27,7 +30,7 @@ TEST(Structure, every_allowed_violation_is_needed) {
   EXPECT_EQ(lines(unused_exceptions(read_source_tree(PARDEL_SOURCE))), "");
 }
 
-/// The modules of parallel/ that have no test file named after them, and the tests that cover them.
+/// The modules of parallel/ and distributed/ that have no test file named after them, and the tests that cover them.
 const std::map<std::string, std::vector<std::string>> covering_tests = {
     {"concurrency/threads", {"stopping_test", "concurrency/parallel_for_test"}},
     {"concurrency/tiles", {"scheduling/tiling_record_test", "scheduling/pending_triangles_test"}},
@@ -35,36 +38,36 @@ const std::map<std::string, std::vector<std::string>> covering_tests = {
     {"conversion/export_mesh", {"conversion/import_export_test"}},
     {"conversion/hairlines_outside", {"conversion/hairlines_test"}},
     {"conversion/import_mesh", {"conversion/import_export_test"}},
-    {"construction/begin_with_latest", {"construction/delaunay_test", "divided_points/mesh_of_points_test"}},
-    {"construction/insertion_order", {"construction/delaunay_test", "given_points/local_delaunay_test"}},
-    {"distribution/refine_in_ranks", {"distribution/pieces_test"}},
+    {"construction/begin_with_latest", {"construction/delaunay_test", "divided_input/mesh_of_points_test"}},
+    {"construction/insertion_order", {"construction/delaunay_test", "delaunay/local_delaunay_test"}},
+    {"meshing/refine_in_ranks", {"meshing/pieces_test"}},
     {"refinement/goal_met", {"refine_mesh_test"}},
     {"refinement/make_room", {"refinement/insertion_test"}},
     {"segments/segment_pieces", {"conversion/join_subsegments_test", "refine_mesh_test"}},
-    {"construction/crossed_edges", {"construction/insert_constraints_test", "given_segments/common_segments_test"}},
-    {"given_segments/common_vertices", {"divided_points/mesh_of_points_test"}},
-    {"given_segments/given_segment", {"given_segments/common_segments_test"}},
-    {"given_segments/own_segments", {"given_segments/common_segments_test"}},
-    {"given_segments/problems_of_domain", {"divided_points/mesh_of_points_test"}},
-    {"given_segments/segments_around", {"divided_points/mesh_of_points_test"}},
-    {"given_segments/sides_of_triangles", {"divided_points/labels_test"}},
-    {"given_segments/sites_of_numbers", {"given_segments/common_segments_test"}},
-    {"divided_points/triangles_at_borders", {"divided_points/labels_test", "divided_points/mesh_of_points_test"}},
-    {"divided_points/divided_points", {"divided_points/mesh_of_points_test"}},
-    {"divided_points/part_of_domain", {"divided_points/mesh_of_points_test"}},
-    {"given_points/ask_others", {"given_points/triangulated_pieces_test"}},
-    {"given_points/own_points", {"given_points/triangulated_pieces_test"}},
-    {"given_points/piece_of_points", {"given_points/triangulated_pieces_test"}},
-    {"given_points/shared_hull", {"given_points/triangulated_pieces_test"}},
-    {"given_points/problems_of_points", {"given_points/triangulated_pieces_test"}},
-    {"given_points/triangulate_in_ranks", {"given_points/triangulated_pieces_test"}},
-    {"given_points/triangulated_points", {"given_points/triangulated_pieces_test"}},
-    {"distribution/distribution", {"distribution/margins_test", "distribution/pieces_test"}},
-    {"distribution/gaps_in_ranks", {"distribution/pieces_test"}},
-    {"distribution/members", {"distribution/pieces_test"}},
-    {"distribution/mesh_in_ranks", {"distribution/pieces_test"}},
-    {"distribution/piece", {"distribution/pieces_test"}},
-    {"distribution/vertex_data", {"distribution/pieces_test"}},
+    {"construction/crossed_edges", {"construction/insert_constraints_test", "cdt/common_segments_test"}},
+    {"cdt/common_vertices", {"divided_input/mesh_of_points_test"}},
+    {"cdt/given_segment", {"cdt/common_segments_test"}},
+    {"cdt/own_segments", {"cdt/common_segments_test"}},
+    {"cdt/problems_of_domain", {"divided_input/mesh_of_points_test"}},
+    {"cdt/segments_around", {"divided_input/mesh_of_points_test"}},
+    {"cdt/sides_of_triangles", {"divided_input/labels_test"}},
+    {"cdt/sites_of_numbers", {"cdt/common_segments_test"}},
+    {"divided_input/triangles_at_borders", {"divided_input/labels_test", "divided_input/mesh_of_points_test"}},
+    {"divided_input/divided_points", {"divided_input/mesh_of_points_test"}},
+    {"divided_input/part_of_domain", {"divided_input/mesh_of_points_test"}},
+    {"delaunay/ask_others", {"delaunay/triangulated_pieces_test"}},
+    {"delaunay/own_points", {"delaunay/triangulated_pieces_test"}},
+    {"delaunay/piece_of_points", {"delaunay/triangulated_pieces_test"}},
+    {"delaunay/shared_hull", {"delaunay/triangulated_pieces_test"}},
+    {"delaunay/problems_of_points", {"delaunay/triangulated_pieces_test"}},
+    {"delaunay/triangulate_in_ranks", {"delaunay/triangulated_pieces_test"}},
+    {"delaunay/triangulated_points", {"delaunay/triangulated_pieces_test"}},
+    {"meshing/distribution", {"meshing/margins_test", "meshing/pieces_test"}},
+    {"meshing/gaps_in_ranks", {"meshing/pieces_test"}},
+    {"meshing/members", {"meshing/pieces_test"}},
+    {"meshing/mesh_in_ranks", {"meshing/pieces_test"}},
+    {"meshing/piece", {"meshing/pieces_test"}},
+    {"meshing/vertex_data", {"meshing/pieces_test"}},
     {"diagnosis/far_part", {"diagnosis/warnings_test"}},
     {"diagnosis/narrowest_part", {"input/repair_test"}},
     {"diagnosis/straight_walk", {"diagnosis/find_gaps_test", "diagnosis/find_least_size_test"}},
@@ -75,23 +78,23 @@ const std::map<std::string, std::vector<std::string>> covering_tests = {
     {"construction/remove_triangles", {"construction/carve_test"}},
     {"diagnosis/extents_by_scale", {"diagnosis/find_gaps_test", "input/repair_of_scales_test"}},
     {"diagnosis/tiny_gaps", {"input/repair_test", "input/repair_of_scales_test"}},
-    {"divided_points/divided_background", {"divided_points/mesh_of_points_test"}},
+    {"divided_input/divided_background", {"divided_input/mesh_of_points_test"}},
     {"patches/border_edges", {"filling/filling_test"}},
     {"patches/cut_out", {"filling/filling_test"}},
     {"patches/lay_patches", {"filling/filling_test"}},
-    {"patches/write_strips", {"filling/filling_test", "distribution/filled_pieces_test"}},
-    {"filling/division", {"distribution/filled_pieces_test"}},
-    {"filling/filled_pieces", {"distribution/filled_pieces_test"}},
+    {"patches/write_strips", {"filling/filling_test", "meshing/filled_pieces_test"}},
+    {"filling/division", {"meshing/filled_pieces_test"}},
+    {"filling/filled_pieces", {"meshing/filled_pieces_test"}},
     {"filling/filled_round", {"filling/refine_filled_test"}},
     {"filling/refine_domain", {"mesher_test", "scheduling/after_sweep_test"}},
     {"input/repair_once", {"input/repair_test"}},
     {"input/untangle", {"input/repair_test"}},
     {"refinement/exemptions", {"mesher_test", "limits_test"}},
-    {"triangulation/held", {"distribution/margins_test", "distribution/pieces_test"}},
+    {"triangulation/held", {"meshing/margins_test", "meshing/pieces_test"}},
     {"triangulation/paired_disk_query", {"triangulation/cavity_test"}},
     {"planning/run_plan", {"mesher_test", "filling/refine_filled_test"}},
     {"planning/supervised", {"stopping_test"}},
-    {"scheduling/partners", {"distribution/margins_test"}},
+    {"scheduling/partners", {"meshing/margins_test"}},
     {"scheduling/refine_by_sweeps", {"scheduling/after_sweep_test", "scheduling/many_tiles_test"}},
     {"segments/conflicts", {"input/validate_property_test"}},
     {"segments/snapping", {"segments/reach_test"}},
@@ -104,19 +107,22 @@ const std::map<std::string, std::vector<std::string>> covering_tests = {
 
 TEST(Structure, every_engine_module_has_its_own_test_or_a_covering_test) {
   const SourceTree tree = read_source_tree(PARDEL_SOURCE);
-  const auto is_test = [&](const std::string& name) { return tree.contains("tests/parallel/" + name + "_test.cpp"); };
+  const std::set<std::string> folders = {"parallel", "distributed"};
+  const auto is_test = [&](const std::string& name) {
+    return std::ranges::any_of(
+        folders, [&](const std::string& folder) { return tree.contains("tests/" + folder + "/" + name + ".cpp"); });
+  };
   std::size_t modules = 0;
   for (const auto& [file, source] : tree) {
     const fs::path path = file;
-    if (!file.starts_with("parallel/") || path.extension() != ".hpp" || path.parent_path() == "parallel") continue;
+    if (path.extension() != ".hpp" || !folders.contains(path.parent_path().parent_path().string())) continue;
     ++modules;
     const std::string module = path.parent_path().filename().string() + "/" + path.stem().string();
     const auto covered = covering_tests.find(module);
-    const bool has_own = is_test(module) || is_test(path.stem().string());
+    const bool has_own = is_test(module + "_test") || is_test(path.stem().string() + "_test");
     EXPECT_NE(has_own, covered != covering_tests.end()) << module;
     if (covered == covering_tests.end()) continue;
-    for (const std::string& test : covered->second)
-      EXPECT_TRUE(tree.contains("tests/parallel/" + test + ".cpp")) << module << ": " << test;
+    for (const std::string& test : covered->second) EXPECT_TRUE(is_test(test)) << module << ": " << test;
   }
   EXPECT_GT(modules, 50u);
 }

@@ -7,7 +7,7 @@
 
 #include "../../../core/digest.hpp"
 #include "../../../core/join_pieces.hpp"
-#include "../../../parallel/distributed.hpp"
+#include "../../../distributed/distributed.hpp"
 #include "../../comparison/all_arrays.hpp"
 #include "local_ranks.hpp"
 

@@ -165,7 +165,7 @@ PARDEL_PROPERTY(Decorated, domains_with_problems_have_the_same_problems_on_ranks
                               "and segments, missing ends, open outlines. One process, and one to four ranks that have "
                               "read parts of the domain, report the same problems in the same words, or make the same "
                               "mesh.",
-                 .source = "parallel/distributed.hpp",
+                 .source = "distributed/distributed.hpp",
                  .families = "lattice domains of every family, with decorations; one to three mistakes"}) {
   Pslg pslg = to_pslg(some_case(exhibit).domain);
   for (int mistakes = *rc::gen::inRange(1, 4); mistakes > 0; --mistakes) spoil(pslg);

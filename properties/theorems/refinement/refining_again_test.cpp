@@ -10,7 +10,7 @@
 #include "../../../core/digest.hpp"
 #include "../../../core/formats.hpp"
 #include "../../../core/join_pieces.hpp"
-#include "../../../parallel/distributed.hpp"
+#include "../../../distributed/distributed.hpp"
 #include "../framework/local_ranks.hpp"
 #include "../framework/shares.hpp"
 #include "turned_problems.hpp"

@@ -1,0 +1,58 @@
+// The part of one rank in a refinement that begins with points divided among ranks.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "../delaunay/curve_division.hpp"
+#include "../meshing/distribution.hpp"
+#include "part_of_domain.hpp"
+
+namespace pardel::engine {
+
+/// The Partners of such a refinement. Until the finest tiles are divided, a rank holds the triangles with a corner that
+/// it owns by the division of the points; a triangle is at home where its least corner is owned.
+class DividedPoints : public Distribution, public PartnersInParts {
+ public:
+  /// `part` has to outlive the object. Its triangulation is refined, and it gets more segments.
+  DividedPoints(Ranks& ranks, PartOfDomain& part, const CurveDivision& division)
+      : Distribution(ranks, part.domain.triangulation),
+        start_(part),
+        division_(division),
+        segments_(part.domain, Name::rank(ranks.rank()), part.common_segments) {}
+
+  [[nodiscard]] bool begins_in_parts() const override { return true; }
+  [[nodiscard]] PartnersInParts* in_parts() override { return this; }
+  void begin(PhaseRunner& runner) override;
+  [[nodiscard]] bool holds(TriangleId id) const override { return part_->holds(id); }
+  [[nodiscard]] bool is_at_home(TriangleId id) const override;
+  [[nodiscard]] Box bounds_of_all(const Box& here) override;
+  void take_largest(std::span<double> values) override;
+  [[nodiscard]] Waiting refine_coarse(std::span<const Deferred> due, const RefineCoarse& refine) override;
+  [[nodiscard]] Waiting divide_anew(const Tiles& tiles, std::span<const double> work, Waiting&& waiting) override;
+
+  [[nodiscard]] Index known_inputs() const override { return static_cast<Index>(start_.number.size()); }
+  [[nodiscard]] InputPoint input_point(VertexId v) const override {
+    return {start_.number[v], start_.marker.empty() ? 0 : start_.marker[v]};
+  }
+  [[nodiscard]] std::uint64_t inputs() const override { return start_.points; }
+  [[nodiscard]] bool lacks_markers() const override { return has_markers_; }
+
+ private:
+  struct TravellingEntry;
+  [[nodiscard]] Waiting exchanged(std::vector<std::vector<TravellingEntry>> entries);
+  /// They serve the assessment at the beginning; nobody tells this rank about their changes.
+  void drop_borrowed();
+  /// A point belongs to the piece of the rank that owns its cell, even if it is in no triangle.
+  void send_loose_points();
+  [[nodiscard]] int owner_before(VertexId v, const Triangulation& t) const { return division_.owner(t.points[v]); }
+  [[nodiscard]] int home_before(TriangleId id, const Triangulation& t) const;
+
+  PartOfDomain& start_;
+  const CurveDivision& division_;
+  HeldSegments segments_;
+  bool has_markers_ = false;  ///< on any rank
+};
+
+}  // namespace pardel::engine

@@ -1,0 +1,108 @@
+// The part of one rank in a refinement by several ranks.
+#pragma once
+
+#include <optional>
+
+#include "../../parallel/scheduling/partners.hpp"
+#include "../subdomain/excerpts.hpp"
+#include "../subdomain/held_part.hpp"
+#include "ownership.hpp"
+
+namespace pardel::engine {
+
+/// The Partners of a refinement. After the refinement, it tells which rank has which triangles.
+class Distribution : public Partners {
+ public:
+  /// `t`: the triangulation that is refined. The others belong to the input: for each vertex that is an input point,
+  /// its number; the markers of these points, or empty.
+  Distribution(Ranks& ranks, Triangulation& t, std::span<const Index> input_of_vertex = {},
+               std::span<const int> input_markers = {})
+      : ranks_(ranks), t_(t), input_of_vertex_(input_of_vertex), input_markers_(input_markers) {}
+
+  void divide(const Tiles& tiles, std::span<const double> work, PhaseRunner& runner) override;
+  [[nodiscard]] bool is_at_home(TriangleId id) const override { return owner_of(t_.slots[id].v[0]) == ranks_.rank(); }
+  [[nodiscard]] bool is_first() const override { return ranks_.rank() == 0; }
+  [[nodiscard]] int ranks() const override { return ranks_.count(); }
+  [[nodiscard]] virtual bool begins_in_parts() const { return false; }
+  void add_up(std::span<std::uint64_t> values) override { ranks_.add_up(values); }
+  void deliver(std::vector<PlannedTask>& tasks) override;
+  void exchange_changes(std::vector<PlannedTask>& tasks) override;
+  void refine_rest(std::span<const QueuedTriangle> rest, const RefineExcerpt& refine) override;
+  void finish() override { part_->finish(); }
+
+  // After divide():
+  [[nodiscard]] Ranks& network() const { return ranks_; }
+  [[nodiscard]] const Ownership& ownership() const { return *ownership_; }
+  [[nodiscard]] const HeldPart& part() const { return *part_; }
+  [[nodiscard]] Index cell_of(VertexId v) const { return ownership_->cell_of(t_.points[v]); }
+  /// The rank that owns a vertex: the owner of its cell.
+  [[nodiscard]] int owner_of(VertexId v) const { return ownership_->owner(cell_of(v)); }
+  /// What all ranks had in common at the division: the number of vertices, and the indices below it that no vertex had.
+  [[nodiscard]] Index common_vertices() const { return part_->common().vertices; }
+  [[nodiscard]] const std::vector<IndexRange>& unused_common() const { return unused_common_; }
+
+  /// What a rank knows about points of the input: about the vertices below known_inputs().
+  struct InputPoint {
+    std::uint64_t number = 0;
+    int marker = 0;  ///< 0 if it has none
+  };
+  [[nodiscard]] virtual Index known_inputs() const { return static_cast<Index>(input_of_vertex_.size()); }
+  [[nodiscard]] virtual InputPoint input_point(VertexId v) const {
+    const Index input = input_of_vertex_[v];
+    return {input, input_markers_.empty() ? 0 : input_markers_[input]};
+  }
+  /// The number of points of the input, on all ranks.
+  [[nodiscard]] virtual std::uint64_t inputs() const { return input_of_vertex_.size(); }
+  /// True if a rank can have vertices that are input points and above known_inputs(), with markers.
+  [[nodiscard]] virtual bool lacks_markers() const { return false; }
+  /// The vertices that the first rank has inserted into an excerpt before the division, as it has named them; in the
+  /// order of their numbers, on the first rank only. All other vertices from before the division are common or input
+  /// points.
+  [[nodiscard]] std::span<const Name> inserted_before_division() const { return inserted_before_division_; }
+  /// The vertices that the tasks of a cell have inserted, in the order of the insertions.
+  struct Insertions {
+    Index cell;
+    IndexRange vertices;
+  };
+  /// Of this rank; in the order of the phases.
+  [[nodiscard]] std::span<const Insertions> insertions() const { return insertions_; }
+  /// The vertices that refine_rest() has inserted, as the first rank has named them; in the order of coordinates, on
+  /// the first rank only.
+  [[nodiscard]] std::span<const Name> inserted_in_excerpt() const { return inserted_in_excerpt_; }
+  /// True if all that the tasks of the cell insert lies in cells of this rank.
+  [[nodiscard]] bool is_interior(Index cell) const { return other_watchers_[cell].empty(); }
+  /// The rank to whose piece a triangle belongs: the owner of its lexicographically least corner.
+  [[nodiscard]] int owner_of_triangle(TriangleId id) const;
+
+ protected:
+  /// Who owns the cells. The refinement works with any owners; the numbers of vertices in a piece follow the curve.
+  [[nodiscard]] virtual Ownership ownership_of(const Tiles& tiles, std::span<const double> work) const {
+    return {tiles, work_of_tasks(tiles, work), ranks_.count()};
+  }
+
+  /// The owners are set. Then the ranks that watch a part of each cell's box are found.
+  void set_owners(Ownership ownership);
+  [[nodiscard]] bool is_held_by(int rank, const Triangulation& t, TriangleId id) const;
+
+  Ranks& ranks_;
+  Triangulation& t_;
+  std::optional<Ownership> ownership_;
+  std::optional<HeldPart> part_;
+  std::vector<Name> inserted_before_division_;
+
+ private:
+  /// For one rank: triangles, and the names of slots whose triangles it no longer holds.
+  struct Outgoing {
+    std::vector<TriangleId> triangles;
+    std::vector<Name> dropped;
+  };
+
+  std::span<const Index> input_of_vertex_;
+  std::span<const int> input_markers_;
+  std::vector<IndexRange> unused_common_;
+  std::vector<Insertions> insertions_;
+  std::vector<Name> inserted_in_excerpt_;
+  std::vector<std::vector<int>> other_watchers_;  ///< per cell: Ownership::watchers_of_box() without this rank
+};
+
+}  // namespace pardel::engine
