@@ -16,7 +16,7 @@ using namespace engine;
 
 namespace {
 
-/// A rank whose partners say nothing.
+/// A rank whose communicator says nothing.
 class SilentRanks : public Ranks {
  public:
   SilentRanks(int rank, int count) : rank_(rank), count_(count) {}
@@ -44,7 +44,7 @@ LoneRank measure_lone_rank(Triangulation t, const Tiles& tiles, std::span<const 
   distribution.divide(tiles, work, runner);
   LoneRank measured{.divide_seconds = watch.lap()};
 
-  runner.set_partners(&distribution);
+  runner.set_communicator(&distribution);
   SeedsByCell no_seeds(tiles.cells());
   constexpr int phases = 9;
   std::vector<double> seconds;
@@ -68,7 +68,7 @@ MessageCosts measure_messages(const Triangulation& t) {
           part(t, vertices, triangles, Name::rank(rank), {vertices.end(), triangles.end()}) {}
     Triangulation t;
     IndexAllocator vertices, triangles;
-    HeldPart part;
+    Subdomain part;
   };
   constexpr std::size_t most = 100'000;
   Side sender(t, 0), receiver(t, 1);

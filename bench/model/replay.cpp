@@ -14,7 +14,7 @@ using namespace engine;
 
 namespace {
 
-// The sizes of what travels (distributed/subdomain/held_part.cpp, and distribution.cpp and vertex_data.cpp in
+// The sizes of what travels (distributed/subdomain/subdomain.cpp, and distribution.cpp and vertex_data.cpp in
 // distributed/meshing/). A test compares the bytes with those of real messages.
 constexpr std::uint64_t bytes_of_list = 8, bytes_of_vertex = 32, bytes_of_triangle = 48, bytes_of_name = 8,
                         bytes_of_seed = 12, bytes_of_number = 8, bytes_of_answer = 8, bytes_of_rank = 4;
@@ -131,7 +131,7 @@ std::vector<int> Replay::holders(const Slot& slot, const Triangulation& t) const
   return without_repetitions(std::move(ranks));
 }
 
-void Replay::finish(const Triangulation& t, const HeldPart& all, std::span<const Index> inserter) {
+void Replay::finish(const Triangulation& t, const Subdomain& all, std::span<const Index> inserter) {
   std::vector<double> held(static_cast<std::size_t>(ranks_));  // triangles; a piece is selected among them
   std::vector<std::pair<VertexId, int>> in_piece_of_other;     // vertices, and the ranks that do not own them
   std::vector<std::pair<VertexId, int>> inserted_by_other;     // vertices, and the ranks that have not inserted them
@@ -176,7 +176,7 @@ void Replay::finish(const Triangulation& t, const HeldPart& all, std::span<const
       answers[{owner, next->second}] += bytes_of_answer + bytes_of_rank * pieces;
     }
   }
-  // share_of_rank() of the vertices inserted by tasks, and in an excerpt; questions and answers; then three sums in
+  // share_of_rank() of the vertices inserted by tasks, and in a submesh; questions and answers; then three sums in
   // PieceMaker and mesh_in_ranks().
   first_of_pieces_ = steps_.size();
   steps_.push_back({.kind = Step::Kind::rank_sum, .bytes = sizeof(std::uint64_t) * static_cast<std::uint64_t>(ranks_)});

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "../../distributed/meshing/ownership.hpp"
-#include "../../distributed/subdomain/held_part.hpp"
+#include "../../distributed/subdomain/subdomain.hpp"
 #include "../../parallel/scheduling/phase.hpp"
 #include "simulation.hpp"
 
@@ -38,7 +38,7 @@ class Replay {
                         const engine::Triangulation& t, engine::TriangleId common);
   /// The ranks make their pieces. `all`: the triangles of the mesh. `inserter`: per vertex, the cell whose task has
   /// inserted it, or no_index.
-  void finish(const engine::Triangulation& t, const engine::HeldPart& all, std::span<const Index> inserter);
+  void finish(const engine::Triangulation& t, const engine::Subdomain& all, std::span<const Index> inserter);
   /// To be called after finish(): the processor time that one rank would take for the whole mesh. The
   /// ranks take it in proportion to the triangles that they hold.
   void set_piece_seconds(double seconds);

@@ -131,7 +131,7 @@ class TracedDistribution : public Distribution {
     Distribution::exchange_changes(tasks);
   }
 
-  void refine_rest(std::span<const QueuedTriangle> rest, const RefineExcerpt& refine) override {
+  void refine_rest(std::span<const QueuedTriangle> rest, const RefineSubmesh& refine) override {
     trace_.rest = rest.size();
     for (ForRanks& each : trace_.for_ranks) each.replay.sum(1);
     Distribution::refine_rest(rest, refine);

@@ -36,7 +36,7 @@ struct Trace {
   std::vector<ForRanks> for_ranks;
   // Of the whole run:
   std::vector<PhaseRecord> phases;
-  std::uint64_t rest = 0;       ///< triangles that the first rank refines in an excerpt
+  std::uint64_t rest = 0;       ///< triangles that the first rank refines in a submesh
   double piece_seconds = 0;     ///< processor time to make the pieces
   std::uint64_t triangles = 0;  ///< of the mesh
 

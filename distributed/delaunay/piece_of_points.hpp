@@ -10,7 +10,7 @@
 namespace pardel::engine {
 
 /// A triangle belongs to the rank that owns its lexicographically least corner. Uses up the triangulation. Collective.
-/// Precondition: all triangles with an own corner are those of the triangulation of all points (ask_others()).
+/// Precondition: all triangles with an own corner are those of the triangulation of all points (resolve_halo()).
 [[nodiscard]] MeshPiece make_piece_of_points(LocalDelaunay& delaunay, const OwnPoints& own, Ranks& ranks,
                                              const Threads& threads);
 

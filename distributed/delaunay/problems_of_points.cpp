@@ -13,7 +13,7 @@
 #include "../../parallel/input/duplicates.hpp"
 #include "../../parallel/input/findings.hpp"
 #include "../distributed.hpp"
-#include "ask_others.hpp"
+#include "resolve_halo.hpp"
 
 namespace pardel {
 

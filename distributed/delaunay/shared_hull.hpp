@@ -24,7 +24,8 @@ struct HullVertex {
 /// there may be points that it does not know.
 class SharedHull {
  public:
-  /// Collective. Precondition: the triangles with own corners, ghosts included, are those of all points (ask_others()).
+  /// Collective. Precondition: the triangles with own corners, ghosts included, are those of all points
+  /// (resolve_halo()).
   SharedHull(const LocalDelaunay& delaunay, const OwnPoints& own, Ranks& ranks);
 
   /// In the order of positions.

@@ -5,9 +5,9 @@
 #include "../../core/support/stopwatch.hpp"
 #include "../../parallel/planning/supervised.hpp"
 #include "../distributed.hpp"
-#include "ask_others.hpp"
 #include "piece_of_points.hpp"
 #include "problems_of_points.hpp"
+#include "resolve_halo.hpp"
 #include "triangulated_points.hpp"
 
 namespace pardel {
@@ -33,7 +33,7 @@ Result<std::unique_ptr<TriangulatedPoints>> engine::triangulated(PartOfPoints&& 
     if (!fine) return fine.error();
     if (Status all = agree(made, ranks); !all) return all.error();
   }
-  ask_others(delaunay, result->division, ranks, threads);
+  resolve_halo(delaunay, result->division, ranks, threads);
   return result;
 }
 

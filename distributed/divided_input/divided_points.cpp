@@ -34,7 +34,7 @@ Waiting DividedPoints::exchanged(std::vector<std::vector<TravellingEntry>> entri
 
 void DividedPoints::begin(PhaseRunner& runner) {
   part_.emplace(t_, runner.vertices(), runner.triangles(), Name::rank(ranks_.rank()),
-                HeldPart::Common{start_.common, 0}, &segments_);
+                Subdomain::Common{start_.common, 0}, &segments_);
   for (const auto& [v, name] : start_.named_vertices) part_->name_vertex(v, name);
   for (const auto& [id, name] : start_.named_triangles) part_->name_triangle(id, name);
   for (const auto& [segment, name] : start_.named_segments) segments_.name(segment, name);
@@ -57,12 +57,12 @@ void DividedPoints::take_largest(std::span<double> values) {
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = std::max(values[i], of_rank[i]);
 }
 
-void DividedPoints::drop_borrowed() {
-  for (const TriangleId id : std::exchange(start_.borrowed, {})) part_->drop(id);
+void DividedPoints::drop_halo() {
+  for (const TriangleId id : std::exchange(start_.halo, {})) part_->drop(id);
 }
 
 Waiting DividedPoints::refine_coarse(std::span<const Deferred> due, const RefineCoarse& refine) {
-  drop_borrowed();
+  drop_halo();
   std::vector<TriangleId> centre;
   std::vector<Name> own_names;
   for (const Deferred& each : due) {
@@ -75,28 +75,28 @@ Waiting DividedPoints::refine_coarse(std::span<const Deferred> due, const Refine
   Waiting waiting;
   const std::uint32_t creator = Name::rank(ranks_.count() + 1);  // no rank
 
-  // Of the vertices of the excerpt after the work; -1: not yet looked up. Each is a corner of several triangles.
+  // Of the vertices of the submesh after the work; -1: not yet looked up. Each is a corner of several triangles.
   std::vector<int> owners;
-  const auto owner_in_excerpt = [&](VertexId v, const Triangulation& t) {
+  const auto owner_in_submesh = [&](VertexId v, const Triangulation& t) {
     owners.resize(t.points.size(), -1);
     if (owners[v] < 0) owners[v] = owner_before(v, t);
     return owners[v];
   };
   const auto is_held_after = [&](int rank, const Triangulation& t, TriangleId id) {
-    return std::ranges::any_of(t.slots[id].v, [&](VertexId v) { return owner_in_excerpt(v, t) == rank; });
+    return std::ranges::any_of(t.slots[id].v, [&](VertexId v) { return owner_in_submesh(v, t) == rank; });
   };
-  const ExcerptWork work{
+  const SubmeshWork work{
       creator, names,
-      [&](const Excerpt& excerpt) {
+      [&](const GatheredSubmesh& submesh) {
         std::vector<TriangleId> changed;
-        waiting = refine(excerpt, changed);
+        waiting = refine(submesh, changed);
         return changed;
       },
       is_held_after,
-      [&](const HeldPart& part, const Triangulation& t, std::span<const VertexId> inserted) {
+      [&](const Subdomain& part, const Triangulation& t, std::span<const VertexId> inserted) {
         for (const VertexId v : inserted) inserted_before_division_.push_back(part.name_of_vertex(v));
         const auto entries_for = [&](TriangleId id) -> std::vector<TravellingEntry>& {
-          return entries[owner_in_excerpt(least_corner(t, t.slots[id]), t)];
+          return entries[owner_in_submesh(least_corner(t, t.slots[id]), t)];
         };
         for (const Deferred& d : waiting.deferred)
           if (d.triangle.is_current(t))
@@ -108,12 +108,12 @@ Waiting DividedPoints::refine_coarse(std::span<const Deferred> due, const Refine
       }};
   Rings rings(
       *part_, t_, ranks_, [&](VertexId v) { return owner_before(v, t_); }, centre);
-  work_in_excerpts(work, *part_, t_, rings, ranks_);
+  work_in_submeshes(work, *part_, t_, rings, ranks_);
   return exchanged(std::move(entries));
 }
 
 Waiting DividedPoints::divide_anew(const Tiles& tiles, std::span<const double> work, Waiting&& waiting) {
-  drop_borrowed();
+  drop_halo();
   set_owners(ownership_of(tiles, work));
   std::vector<std::vector<TravellingEntry>> entries(static_cast<std::size_t>(ranks_.count()));
   const auto send = [&](QueuedTriangle triangle, TravellingEntry entry) {
@@ -154,7 +154,7 @@ Waiting DividedPoints::divide_anew(const Tiles& tiles, std::span<const double> w
 }
 
 void DividedPoints::send_loose_points() {
-  std::vector<std::vector<HeldPart::LoosePoint>> leaving(static_cast<std::size_t>(ranks_.count()));
+  std::vector<std::vector<Subdomain::LoosePoint>> leaving(static_cast<std::size_t>(ranks_.count()));
   for (const VertexId v : start_.loose)
     if (const int owner = owner_of(v); owner != ranks_.rank())
       leaving[owner].push_back({part_->name_of_vertex(v), t_.points[v]});

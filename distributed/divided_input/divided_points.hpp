@@ -11,9 +11,9 @@
 
 namespace pardel::engine {
 
-/// The Partners of such a refinement. Until the finest tiles are divided, a rank holds the triangles with a corner that
-/// it owns by the division of the points; a triangle is at home where its least corner is owned.
-class DividedPoints : public Distribution, public PartnersInParts {
+/// The Communicator of such a refinement. Until the finest tiles are divided, a rank holds the triangles with a corner
+/// that it owns by the division of the points; a triangle is at home where its least corner is owned.
+class DividedPoints : public Distribution, public CommunicatorInParts {
  public:
   /// `part` has to outlive the object. Its triangulation is refined, and it gets more segments.
   DividedPoints(Ranks& ranks, PartOfDomain& part, const CurveDivision& division)
@@ -23,7 +23,7 @@ class DividedPoints : public Distribution, public PartnersInParts {
         segments_(part.domain, Name::rank(ranks.rank()), part.common_segments) {}
 
   [[nodiscard]] bool begins_in_parts() const override { return true; }
-  [[nodiscard]] PartnersInParts* in_parts() override { return this; }
+  [[nodiscard]] CommunicatorInParts* in_parts() override { return this; }
   void begin(PhaseRunner& runner) override;
   [[nodiscard]] bool holds(TriangleId id) const override { return part_->holds(id); }
   [[nodiscard]] bool is_at_home(TriangleId id) const override;
@@ -43,7 +43,7 @@ class DividedPoints : public Distribution, public PartnersInParts {
   struct TravellingEntry;
   [[nodiscard]] Waiting exchanged(std::vector<std::vector<TravellingEntry>> entries);
   /// They serve the assessment at the beginning; nobody tells this rank about their changes.
-  void drop_borrowed();
+  void drop_halo();
   /// A point belongs to the piece of the rank that owns its cell, even if it is in no triangle.
   void send_loose_points();
   [[nodiscard]] int owner_before(VertexId v, const Triangulation& t) const { return division_.owner(t.points[v]); }

@@ -146,17 +146,17 @@ class PartMaker {
     });
     place_ = places_in(threads_, kept_.span(), t_.slots.size());
     own_triangles_ = static_cast<Index>(kept_.size());
-    for (Index i = 0; i < own_triangles_; ++i) borrow_neighbours(t_.slots[kept_[i]], labels);
+    for (Index i = 0; i < own_triangles_; ++i) add_halo(t_.slots[kept_[i]], labels);
   }
 
-  void borrow_neighbours(const Slot& slot, const Labels& labels) {
+  void add_halo(const Slot& slot, const Labels& labels) {
     if (!slot.any_constrained()) return;
     for (unsigned side = 0; side < 3; ++side) {
       const EdgeRef across = slot.n[side];
       if (!across.constrained() || place_[across.triangle()] != no_index || is_on_boundary(slot, side, labels))
         continue;
       place_[across.triangle()] = static_cast<Index>(kept_.size());
-      part_.borrowed.push_back(place_[across.triangle()]);
+      part_.halo.push_back(place_[across.triangle()]);
       kept_.push_back(across.triangle());
     }
   }
@@ -242,7 +242,7 @@ class PartMaker {
         const EdgeRef across = old.n[k];
         if (place_[across.triangle()] != no_index)
           slot.n[k] = EdgeRef(place_[across.triangle()], across.side(), across.constrained());
-        else if (i >= own_triangles_ || !is_on_boundary(old, k, labels))  // nobody asks beyond borrowed triangles
+        else if (i >= own_triangles_ || !is_on_boundary(old, k, labels))  // nobody asks beyond the halo
           part_.cut.emplace_back(static_cast<TriangleId>(i), k, across.constrained());
       }
     }

@@ -30,7 +30,7 @@ struct PartOfDomain {
   std::uint64_t points = 0;  ///< of all ranks
   /// Triangles without an own corner, across constrained sides of the others. Whether such a side is encroached on can
   /// depend on them. They have no names.
-  std::vector<TriangleId> borrowed;
+  std::vector<TriangleId> halo;
   /// The rank's points that are in no triangle and not common.
   std::vector<VertexId> loose;
   // What other ranks have named:
@@ -50,7 +50,7 @@ struct ReadDomain {
 
 /// Collective. Uses up the triangulation. The domain is the convex hull of the points of all ranks if `convex_hull` is
 /// true or there are no segments. Precondition: all triangles with an own corner are those of the triangulation of all
-/// points (ask_others()). Error: `invalid_input`, with all problems, on all ranks alike.
+/// points (resolve_halo()). Error: `invalid_input`, with all problems, on all ranks alike.
 [[nodiscard]] Result<PartOfDomain> part_of_domain(TriangulatedPoints& points, const ReadDomain& read, bool convex_hull,
                                                   Ranks& ranks, const Threads& threads);
 

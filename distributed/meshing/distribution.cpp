@@ -27,7 +27,7 @@ Stopped changed_beyond_box(Index cell) {
 
 void Distribution::divide(const Tiles& tiles, std::span<const double> work, PhaseRunner& runner) {
   set_owners(ownership_of(tiles, work));
-  const HeldPart::Common common{runner.vertices().end(), runner.triangles().end()};
+  const Subdomain::Common common{runner.vertices().end(), runner.triangles().end()};
   unused_common_ = runner.vertices().holes();
   part_.emplace(t_, runner.vertices(), runner.triangles(), Name::rank(ranks_.rank()), common);
   std::vector<TriangleId> not_held;
@@ -121,7 +121,7 @@ void Distribution::exchange_changes(std::vector<PlannedTask>& tasks) {
   part_->read(exchange(messages, ranks_));
 }
 
-void Distribution::refine_rest(std::span<const QueuedTriangle> rest, const RefineExcerpt& refine) {
+void Distribution::refine_rest(std::span<const QueuedTriangle> rest, const RefineSubmesh& refine) {
   std::vector<TriangleId> centre;
   std::vector<Name> own_names;
   for (const QueuedTriangle triangle : rest) {
@@ -131,18 +131,18 @@ void Distribution::refine_rest(std::span<const QueuedTriangle> rest, const Refin
   }
   if (sum_of(own_names.size(), ranks_) == 0) return;
   const std::vector<Name> names = concatenated(lists_of_all(own_names, ranks_));
-  const ExcerptWork work{Name::rank(ranks_.count()), names, refine,
+  const SubmeshWork work{Name::rank(ranks_.count()), names, refine,
                          [&](int rank, const Triangulation& t, TriangleId id) { return is_held_by(rank, t, id); },
-                         [&](const HeldPart& part, const Triangulation& t, std::span<const VertexId> inserted) {
+                         [&](const Subdomain& part, const Triangulation& t, std::span<const VertexId> inserted) {
                            std::vector<VertexId> by_place(inserted.begin(), inserted.end());
                            std::ranges::sort(by_place, [&](VertexId a, VertexId b) {
                              return lexicographically_less(t.points[a], t.points[b]);
                            });
-                           for (const VertexId v : by_place) inserted_in_excerpt_.push_back(part.name_of_vertex(v));
+                           for (const VertexId v : by_place) inserted_in_submesh_.push_back(part.name_of_vertex(v));
                          }};
   Rings rings(
       *part_, t_, ranks_, [&](VertexId v) { return owner_of(v); }, centre);
-  work_in_excerpts(work, *part_, t_, rings, ranks_);
+  work_in_submeshes(work, *part_, t_, rings, ranks_);
 }
 
 }  // namespace pardel::engine

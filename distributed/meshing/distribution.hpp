@@ -3,15 +3,15 @@
 
 #include <optional>
 
-#include "../../parallel/scheduling/partners.hpp"
-#include "../subdomain/excerpts.hpp"
-#include "../subdomain/held_part.hpp"
+#include "../../parallel/scheduling/communicator.hpp"
+#include "../subdomain/subdomain.hpp"
+#include "../subdomain/submeshes.hpp"
 #include "ownership.hpp"
 
 namespace pardel::engine {
 
-/// The Partners of a refinement. After the refinement, it tells which rank has which triangles.
-class Distribution : public Partners {
+/// The Communicator of a refinement. After the refinement, it tells which rank has which triangles.
+class Distribution : public Communicator {
  public:
   /// `t`: the triangulation that is refined. The others belong to the input: for each vertex that is an input point,
   /// its number; the markers of these points, or empty.
@@ -27,13 +27,13 @@ class Distribution : public Partners {
   void add_up(std::span<std::uint64_t> values) override { ranks_.add_up(values); }
   void deliver(std::vector<PlannedTask>& tasks) override;
   void exchange_changes(std::vector<PlannedTask>& tasks) override;
-  void refine_rest(std::span<const QueuedTriangle> rest, const RefineExcerpt& refine) override;
+  void refine_rest(std::span<const QueuedTriangle> rest, const RefineSubmesh& refine) override;
   void finish() override { part_->finish(); }
 
   // After divide():
   [[nodiscard]] Ranks& network() const { return ranks_; }
   [[nodiscard]] const Ownership& ownership() const { return *ownership_; }
-  [[nodiscard]] const HeldPart& part() const { return *part_; }
+  [[nodiscard]] const Subdomain& part() const { return *part_; }
   [[nodiscard]] Index cell_of(VertexId v) const { return ownership_->cell_of(t_.points[v]); }
   /// The rank that owns a vertex: the owner of its cell.
   [[nodiscard]] int owner_of(VertexId v) const { return ownership_->owner(cell_of(v)); }
@@ -55,7 +55,7 @@ class Distribution : public Partners {
   [[nodiscard]] virtual std::uint64_t inputs() const { return input_of_vertex_.size(); }
   /// True if a rank can have vertices that are input points and above known_inputs(), with markers.
   [[nodiscard]] virtual bool lacks_markers() const { return false; }
-  /// The vertices that the first rank has inserted into an excerpt before the division, as it has named them; in the
+  /// The vertices that the first rank has inserted into a submesh before the division, as it has named them; in the
   /// order of their numbers, on the first rank only. All other vertices from before the division are common or input
   /// points.
   [[nodiscard]] std::span<const Name> inserted_before_division() const { return inserted_before_division_; }
@@ -68,7 +68,7 @@ class Distribution : public Partners {
   [[nodiscard]] std::span<const Insertions> insertions() const { return insertions_; }
   /// The vertices that refine_rest() has inserted, as the first rank has named them; in the order of coordinates, on
   /// the first rank only.
-  [[nodiscard]] std::span<const Name> inserted_in_excerpt() const { return inserted_in_excerpt_; }
+  [[nodiscard]] std::span<const Name> inserted_in_submesh() const { return inserted_in_submesh_; }
   /// True if all that the tasks of the cell insert lies in cells of this rank.
   [[nodiscard]] bool is_interior(Index cell) const { return other_watchers_[cell].empty(); }
   /// The rank to whose piece a triangle belongs: the owner of its lexicographically least corner.
@@ -87,7 +87,7 @@ class Distribution : public Partners {
   Ranks& ranks_;
   Triangulation& t_;
   std::optional<Ownership> ownership_;
-  std::optional<HeldPart> part_;
+  std::optional<Subdomain> part_;
   std::vector<Name> inserted_before_division_;
 
  private:
@@ -101,7 +101,7 @@ class Distribution : public Partners {
   std::span<const int> input_markers_;
   std::vector<IndexRange> unused_common_;
   std::vector<Insertions> insertions_;
-  std::vector<Name> inserted_in_excerpt_;
+  std::vector<Name> inserted_in_submesh_;
   std::vector<std::vector<int>> other_watchers_;  ///< per cell: Ownership::watchers_of_box() without this rank
 };
 

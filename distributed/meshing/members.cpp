@@ -81,7 +81,7 @@ void Members::mark_owned(const Triangulation& t, const Distribution& distributio
 /// A triangle with a corner of another rank is held by that rank. So a triangle that no other rank knows has only
 /// corners of this rank, and most triangles need no closer look.
 void Members::classify_triangles(const Triangulation& t, const Distribution& distribution, const Threads& threads) {
-  const HeldPart& part = distribution.part();
+  const Subdomain& part = distribution.part();
   ListsOfBlocks<IndexRange> unused(t.slots.size());
   ListsOfBlocks<TriangleId> at_border(t.slots.size()), of_others(t.slots.size());
   ListsOfBlocks<EdgeRef> constrained(t.slots.size());
@@ -123,7 +123,7 @@ void Members::classify_triangles(const Triangulation& t, const Distribution& dis
 /// of the piece. Let v be such a corner. Triangles around v that share a side with v as an end form fans. A triangle of
 /// the piece in a fan is in at_border(), or has only corners of this rank and is next to a triangle that has not, or
 /// the fan has only triangles of the first kind and ends at boundary edges, which are constrained.
-void Members::correct_marks_at_border(const Triangulation& t, const HeldPart& part) {
+void Members::correct_marks_at_border(const Triangulation& t, const Subdomain& part) {
   const auto with_corners_of_others = {&at_border_, &of_others_};
   for (const std::vector<TriangleId>* list : with_corners_of_others)
     for (const TriangleId id : *list)

@@ -38,7 +38,7 @@ class Members {
 
   void mark_owned(const Triangulation& t, const Distribution& distribution);
   void classify_triangles(const Triangulation& t, const Distribution& distribution, const Threads& threads);
-  void correct_marks_at_border(const Triangulation& t, const HeldPart& part);
+  void correct_marks_at_border(const Triangulation& t, const Subdomain& part);
   void list_vertices(const Threads& threads);
   void mark_corners(const Slot& slot) {
     for (const VertexId v : slot.v) vertex_[v] |= in_piece;

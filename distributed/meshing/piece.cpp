@@ -210,7 +210,7 @@ class PieceMaker {
   Triangulation& t_;
   const Distribution& distribution_;
   Ranks& ranks_;
-  const HeldPart& part_;
+  const Subdomain& part_;
   InputData input_;
   Threads threads_;
   Members members_;

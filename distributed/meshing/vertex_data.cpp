@@ -39,7 +39,7 @@ class Collector {
   void fetch_markers();
   void mark_own();
   void find_pieces();
-  void ask_others();
+  void resolve_halo();
   [[nodiscard]] VertexData take() { return std::move(data_); }
 
  private:
@@ -57,8 +57,8 @@ class Collector {
   const Distribution& distribution_;
   Ranks& ranks_;
   const Members& members_;
-  /// Of the vertices that the first rank has inserted in an excerpt, before the division and at the end.
-  VertexNumbers numbers_before_division_, numbers_in_excerpt_;
+  /// Of the vertices that the first rank has inserted in a submesh, before the division and at the end.
+  VertexNumbers numbers_before_division_, numbers_in_submesh_;
   std::vector<std::pair<VertexId, int>> fetched_markers_;
   std::vector<std::vector<VertexId>> asked_numbers_, asked_data_;  ///< for each rank: what it is asked about
   VertexData data_;
@@ -106,12 +106,12 @@ void Collector::number_own() {
     data_.numbers.add(each.vertices, next);
     next += each.vertices.size();
   }
-  const auto in_excerpt = distribution_.inserted_in_excerpt();
-  for (std::size_t i = 0; i < in_excerpt.size(); ++i)
-    numbers_in_excerpt_.add({in_excerpt[i].id, in_excerpt[i].id + 1}, data_.count + i);
-  data_.count += share_of_rank(in_excerpt.size(), ranks_).all;
+  const auto in_submesh = distribution_.inserted_in_submesh();
+  for (std::size_t i = 0; i < in_submesh.size(); ++i)
+    numbers_in_submesh_.add({in_submesh[i].id, in_submesh[i].id + 1}, data_.count + i);
+  data_.count += share_of_rank(in_submesh.size(), ranks_).all;
   data_.numbers.settle();
-  numbers_in_excerpt_.settle();
+  numbers_in_submesh_.settle();
 }
 
 /// The marker of a vertex is its marker in the input. If this is 0 or missing, it is the marker of the first segment
@@ -188,7 +188,7 @@ void Collector::find_pieces() {
   }
 }
 
-/// The first rank is asked about vertices that were inserted in an excerpt.
+/// The first rank is asked about vertices that were inserted in a submesh.
 void Collector::plan_questions() {
   for (const VertexId v : distribution_.part().vertices_of_others()) {
     if (!members_.has_vertex(v)) continue;
@@ -211,9 +211,9 @@ Ranks::Bytes Collector::question_to(int rank) const {
 std::uint64_t Collector::number_of(Name name) const {
   const bool is_own = name.creator == Name::rank(ranks_.rank());
   if (is_own && name.id < distribution_.known_inputs()) return distribution_.input_point(name.id).number;
-  const bool is_of_excerpt = name.creator == Name::rank(ranks_.count());
+  const bool is_of_submesh = name.creator == Name::rank(ranks_.count());
   const VertexNumbers& numbers = is_own          ? data_.numbers
-                                 : is_of_excerpt ? numbers_in_excerpt_
+                                 : is_of_submesh ? numbers_in_submesh_
                                                  : numbers_before_division_;
   if (!numbers.has(name.id)) throw Reader::does_not_match();
   return numbers.of(name.id);
@@ -259,7 +259,7 @@ void Collector::take_answer(int rank, const Ranks::Bytes& answer) {
   }
 }
 
-void Collector::ask_others() {
+void Collector::resolve_halo() {
   plan_questions();
   std::vector<Ranks::Bytes> questions, answers;
   for (int rank = 0; rank < ranks_.count(); ++rank) questions.push_back(question_to(rank));
@@ -277,7 +277,7 @@ VertexData vertex_data(const DomainTriangulation& domain, const Distribution& di
   collector.fetch_markers();
   collector.mark_own();
   collector.find_pieces();
-  collector.ask_others();
+  collector.resolve_halo();
   return collector.take();
 }
 

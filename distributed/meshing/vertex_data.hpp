@@ -19,7 +19,7 @@ namespace pardel::engine {
 struct VertexData {
   /// For all vertices of the piece except input points, which have the numbers of the input. Then follow the vertices
   /// of the coarse levels, then, cell by cell along the curve of the ownership, those that the tasks of the cell have
-  /// inserted, in the order of the insertions; last those of Partners::refine_rest(), in the order of
+  /// inserted, in the order of the insertions; last those of Communicator::refine_rest(), in the order of
   /// coordinates. The numbers do not depend on the number of ranks.
   VertexNumbers numbers;
   /// The vertices with a marker other than 0, as in Mesh::point_markers; some are not in the piece.

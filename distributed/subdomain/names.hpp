@@ -15,7 +15,7 @@ struct Name {
   static constexpr std::uint32_t everyone = 0;
   [[nodiscard]] static constexpr std::uint32_t rank(int rank) { return static_cast<std::uint32_t>(rank) + 1; }
 
-  /// The rank of a creator; the number of ranks, or one more, if it was made in an excerpt.
+  /// The rank of a creator; the number of ranks, or one more, if it was made in a submesh.
   [[nodiscard]] static constexpr int rank_of(std::uint32_t creator) { return static_cast<int>(creator) - 1; }
 
   std::uint32_t creator = everyone;

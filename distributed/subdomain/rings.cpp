@@ -14,7 +14,7 @@ struct Rings::TravellingCorner {
   std::uint64_t number;
 };
 
-Rings::Rings(const HeldPart& part, const Triangulation& t, Ranks& ranks, Owner owner,
+Rings::Rings(const Subdomain& part, const Triangulation& t, Ranks& ranks, Owner owner,
              std::span<const TriangleId> centre)
     : part_(part), t_(t), ranks_(ranks), owner_(std::move(owner)) {
   for (const TriangleId id : centre) add(id);

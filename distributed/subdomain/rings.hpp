@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "../../core/ranks.hpp"
-#include "held_part.hpp"
+#include "subdomain.hpp"
 
 namespace pardel::engine {
 
@@ -19,7 +19,7 @@ class Rings {
   using Owner = std::function<int(VertexId)>;
 
   /// Begins with the triangles in `centre`, on all ranks. The mesh must not change.
-  Rings(const HeldPart& part, const Triangulation& t, Ranks& ranks, Owner owner, std::span<const TriangleId> centre);
+  Rings(const Subdomain& part, const Triangulation& t, Ranks& ranks, Owner owner, std::span<const TriangleId> centre);
 
   /// Adds a ring. Collective. O(new triangles) on each rank.
   void grow();
@@ -45,7 +45,7 @@ class Rings {
   /// Marks the corner. Returns false if it was marked before.
   [[nodiscard]] bool mark(Corner c);
 
-  const HeldPart& part_;
+  const Subdomain& part_;
   const Triangulation& t_;
   Ranks& ranks_;
   Owner owner_;

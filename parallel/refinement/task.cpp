@@ -12,7 +12,7 @@ void Task::with_triangles_around(TriangleId id, const Work& work) {
   try {
     work();
   } catch (const NotHeld&) {
-    if (!is_in_excerpt_) throw;
+    if (!is_in_submesh_) throw;
     note_missing_triangles(id);
   }
 }
@@ -77,7 +77,7 @@ TaskResult Task::finish() {
 
 void Task::hand_on_to_own_cell(QueuedTriangle triangle) {
   result_.handed_on.push_back({triangle, cell_});
-  ++result_.out_of_indices;
+  ++result_.out_of_numbers;
 }
 
 void Task::consider_changed() {
@@ -117,7 +117,7 @@ void Task::process(QueuedTriangle triangle) {
     case Outcome::encroaches:
       return split_blocker(triangle);
     case Outcome::leaves_box:
-      if (own_cell_only_ && violates_t1(p)) ++result_.t1_violations;
+      if (own_cell_only_ && violates_t1(p)) ++result_.against_promise;
       hand_on(triangle, p);
       return;
     case Outcome::too_close:

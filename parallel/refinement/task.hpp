@@ -27,10 +27,10 @@ struct TaskResult {
   std::vector<Deferred> deferred;                ///< for a finer lattice or the next round
   std::vector<TriangleId> changed;               ///< if asked for: the triangles that it made, and that still exist
   std::uint64_t inserted = 0, segment_splits = 0, refused = 0;
-  std::uint64_t out_of_indices = 0;  ///< how many of handed_on went to its own cell
-  std::uint64_t t1_violations = 0;   ///< how many of needs_larger_box should fit the box by T1
-  bool left_alone = false;           ///< a triangle that breaks the goal was not split; it may not exist any more
-  /// In an excerpt: vertices around which the task needed triangles that the excerpt does not have. It left alone what
+  std::uint64_t out_of_numbers = 0;   ///< how many of handed_on went to its own cell
+  std::uint64_t against_promise = 0;  ///< how many of needs_larger_box should fit the box by T1
+  bool left_alone = false;            ///< a triangle that breaks the goal was not split; it may not exist any more
+  /// In a submesh: vertices around which the task needed triangles that the submesh does not have. It left alone what
   /// it wanted to split there. Then its result does not count.
   std::vector<VertexId> needs_more_at;
 };
@@ -49,9 +49,9 @@ class Task {
   /// The largest number of insertions, and of seeds examined, between two calls of a Report: about 0.1 ms.
   static constexpr std::uint64_t steps_between_reports = 64;
 
-  /// The triangulation is an excerpt: a task goes on if triangles are missing (TaskResult::needs_more_at). Otherwise it
+  /// The triangulation is a submesh: a task goes on if triangles are missing (TaskResult::needs_more_at). Otherwise it
   /// throws NotHeld.
-  void begin_excerpt() { is_in_excerpt_ = true; }
+  void begin_submesh() { is_in_submesh_ = true; }
 
   /// Refines in the box of `cell`. Starts with `seeds`, triangles whose corners lie in the box. list_changes: the
   /// result contains the list of changed triangles.
@@ -91,7 +91,7 @@ class Task {
   void split_blocker(QueuedTriangle triangle);
   [[nodiscard]] bool is_foreign(Point p) const { return own_cell_only_ && tiles_->cell_of(p) != cell_; }
   void hand_on_to_own_cell(QueuedTriangle triangle);
-  /// Calls work(), which is about a triangle. In an excerpt, notes the place if triangles are missing there.
+  /// Calls work(), which is about a triangle. In a submesh, notes the place if triangles are missing there.
   template <class Work>
   void with_triangles_around(TriangleId id, const Work& work);
   void note_missing_triangles(TriangleId around);
@@ -109,7 +109,7 @@ class Task {
   Triangulation& t_;
   const Assessor& assessor_;
   Insertion insertion_;
-  bool own_cell_only_, is_in_excerpt_ = false;
+  bool own_cell_only_, is_in_submesh_ = false;
   FreeIndices* free_ = nullptr;
   BucketQueue queue_;
   LocalHints hints_;

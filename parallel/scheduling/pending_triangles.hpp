@@ -8,7 +8,7 @@
 #include "../../core/array.hpp"
 #include "../concurrency/tiles.hpp"
 #include "../refinement/deferral.hpp"
-#include "partners.hpp"
+#include "communicator.hpp"
 #include "phase.hpp"
 
 namespace pardel::engine {

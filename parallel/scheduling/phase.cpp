@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "../concurrency/parallel_for.hpp"
-#include "partners.hpp"
+#include "communicator.hpp"
 
 namespace pardel::engine {
 namespace {
@@ -88,9 +88,9 @@ std::vector<PlannedTask> PhaseRunner::plan(const Tiles& tiles, unsigned colour, 
       tasks.back().seeds = std::exchange(seeds[cell], {});
     }
   parallel_for(threads_, tasks.size(), [&](std::size_t i, int) { select_seeds(tasks[i], tiles); });
-  if (partners_ != nullptr) {
-    add_up_estimates(wanted, *partners_);
-    partners_->deliver(tasks);
+  if (communicator_ != nullptr) {
+    add_up_estimates(wanted, *communicator_);
+    communicator_->deliver(tasks);
   }
   for (PlannedTask& task : tasks) expect_insertions(task, tiles, later, wanted);
   return tasks;
@@ -168,7 +168,7 @@ void PhaseRunner::select_seeds(PlannedTask& task, const Tiles& tiles) const {
     for (const VertexId v : t_.slots[seed.id()].v)
       if (!box.contains_half_open(t_.points[v])) {
         task.outside_box.push_back(seed);
-        if (violates_t1(seed.id(), task.cell, tiles)) ++task.t1_violations;
+        if (violates_t1(seed.id(), task.cell, tiles)) ++task.against_promise;
         return true;
       }
     return false;

@@ -31,7 +31,7 @@ struct PlannedTask {
   double insertions = 0;  ///< the expected number of insertions
   std::vector<QueuedTriangle> seeds;
   std::vector<QueuedTriangle> outside_box;  ///< seeds that the task did not get, because not all corners lie in the box
-  std::uint64_t t1_violations = 0;          ///< how many of outside_box should lie in the box by theorem T1
+  std::uint64_t against_promise = 0;        ///< how many of outside_box should lie in the box by theorem T1
   bool elsewhere = false;                   ///< the seeds were sent to another rank, which runs the task
   bool lists_changes = false;               ///< the result has to list the changed triangles
   FreeIndices free;
@@ -42,7 +42,7 @@ struct PlannedTask {
 /// For each cell, the triangles with which the cell's next task starts (seeds).
 using SeedsByCell = std::vector<std::vector<QueuedTriangle>>;
 
-class Partners;
+class Communicator;
 
 /// Sorts triangles by the coordinates of their corners, and removes those that occur twice. The tasks and passes before
 /// a task determine which triangles it starts with. The order in which they found them must not matter.
@@ -55,15 +55,15 @@ class PhaseRunner {
               const Threads& threads, const Schedule& schedule);
 
   /// From now on, the phases are those of several ranks. Precondition: the mesh has been divided.
-  void set_partners(Partners* partners) { partners_ = partners; }
+  void set_communicator(Communicator* communicator) { communicator_ = communicator; }
 
-  /// See Task::begin_excerpt().
-  void begin_excerpt() {
-    for (const std::unique_ptr<Task>& task : tasks_) task->begin_excerpt();
+  /// See Task::begin_submesh().
+  void begin_submesh() {
+    for (const std::unique_ptr<Task>& task : tasks_) task->begin_submesh();
   }
 
   /// Plans one task for each cell of the colour that has seeds. Moves the seeds that are current and lie in the box
-  /// into the tasks. With partners: collective.
+  /// into the tasks. With a communicator: collective.
   [[nodiscard]] std::vector<PlannedTask> plan(const Tiles& tiles, unsigned colour, const Deferrals& later,
                                               SeedsByCell& seeds) const;
 
@@ -94,7 +94,7 @@ class PhaseRunner {
   const Criteria& criteria_;
   const Options& options_;
   const Schedule& schedule_;
-  Partners* partners_ = nullptr;
+  Communicator* communicator_ = nullptr;
   Threads threads_;
   std::vector<std::unique_ptr<Task>> tasks_;  ///< one per thread
   IndexAllocator vertices_, triangles_;

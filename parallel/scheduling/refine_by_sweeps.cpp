@@ -13,9 +13,9 @@
 #include "../triangulation/compact.hpp"
 #include "../triangulation/held.hpp"
 #include "../triangulation/radii.hpp"
+#include "communicator.hpp"
 #include "initial_assessment.hpp"
 #include "limits.hpp"
-#include "partners.hpp"
 #include "pending_triangles.hpp"
 #include "phase.hpp"
 #include "tiling_record.hpp"
@@ -57,15 +57,15 @@ class Refinement {
  public:
   Refinement(Triangulation& t, const DomainSegments& segments, const Criteria& criteria, const Options& options,
              ProgressMonitor& progress, const Threads& threads, const Schedule& schedule, const Watcher& watcher,
-             Partners* partners)
+             Communicator* communicator)
       : t_(t),
         segments_(segments),
         criteria_(criteria),
         options_(options),
         schedule_(schedule),
         watcher_(watcher),
-        partners_(partners),
-        in_parts_(partners == nullptr ? nullptr : partners->in_parts()),
+        communicator_(communicator),
+        in_parts_(communicator == nullptr ? nullptr : communicator->in_parts()),
         assessor_(t, segments, criteria, options),
         threads_(threads),
         runner_(t, assessor_, criteria, options, threads_, schedule),
@@ -79,7 +79,7 @@ class Refinement {
     counts_.left_alone = initial.left_alone;
     pending_.defer(std::move(initial.bad));
     const double whole = initial.estimates.lower_bound + static_cast<double>(progress_.triangles_aside());
-    const double needed = partners_ == nullptr ? whole : whole / partners_->ranks();
+    const double needed = communicator_ == nullptr ? whole : whole / communicator_->ranks();
     if (Status fits = check_size(needed, options_); !fits) return fits;
     const Lattice finest = finest_lattice(bounds, initial.estimates.without_angle_bound, options_);
     progress_.start(initial.estimates.with_angle_bound, runner_.vertices().in_use(), runner_.triangles().in_use());
@@ -88,11 +88,11 @@ class Refinement {
       refine_in_quadtree(bounds);
     else
       refine_in_lattice(bounds, finest);
-    if (partners_ == nullptr) {
+    if (communicator_ == nullptr) {
       compact(t_, IndexMoves(runner_.vertices()), IndexMoves(runner_.triangles()), threads_);
     } else {
       add_up_counts();
-      partners_->finish();
+      communicator_->finish();
     }
     // A triangle is left over if its split point lies in no triangle, if it is blocked, or if the refinement ended
     // early.
@@ -116,11 +116,11 @@ class Refinement {
     if (in_parts_ == nullptr) return assess_all(t_, criteria_, assessor_, threads_);
     in_parts_->begin(runner_);
     InitialAssessment initial = assess_all(t_, criteria_, assessor_, threads_, [&](TriangleId id) {
-      return in_parts_->holds(id) && partners_->is_at_home(id);
+      return in_parts_->holds(id) && communicator_->is_at_home(id);
     });
     TriangleEstimates& e = initial.estimates;
     std::array sums{e.without_angle_bound, e.with_angle_bound, e.lower_bound};
-    add_up_estimates(sums, *partners_);
+    add_up_estimates(sums, *communicator_);
     e = {sums[0], sums[1], sums[2]};
     return initial;
   }
@@ -140,7 +140,7 @@ class Refinement {
     lay_finest(bounds, levels);
     const Deferral shorter_half{.last_key = median_key()};
     pending_.add(std::exchange(waiting_, {}));
-    if (partners_ != nullptr) divide(levels.back());
+    if (communicator_ != nullptr) divide(levels.back());
     refine_on_finest(levels.back(), shorter_half);
     go_up(levels);
   }
@@ -164,7 +164,7 @@ class Refinement {
     record_.set_finest(levels.back(), bounds, largest_radii(t_, runner_.triangles(), threads_), made());
     std::vector<Deferral> shorter_half;
     for (const unsigned key : pending_.median_keys(levels.back())) shorter_half.push_back({.last_key = key});
-    if (partners_ != nullptr) divide(levels.back());
+    if (communicator_ != nullptr) divide(levels.back());
     refine_on_finest(levels.back(), Deferrals(std::move(shorter_half)));
     go_up(levels);
   }
@@ -218,7 +218,7 @@ class Refinement {
   void go_down(const Levels& levels) {
     pending_.set_aside(short_enough_for(*levels.back().lattice()));
     if (in_parts_ != nullptr)
-      go_down_in_excerpt(levels);
+      go_down_in_submesh(levels);
     else
       refine_coarse_levels(levels);
     pending_.bring_back();
@@ -229,34 +229,34 @@ class Refinement {
       refine_due(levels[level], short_enough_for(*levels[level + 1].lattice()));
   }
 
-  void begin_excerpt(const Partners::Excerpt& excerpt) {
+  void begin_submesh(const Communicator::GatheredSubmesh& submesh) {
     changed_.emplace();
-    needs_more_at_ = &excerpt.needs_more_at;
-    runner_.begin_excerpt();
+    needs_more_at_ = &submesh.needs_more_at;
+    runner_.begin_submesh();
   }
-  [[nodiscard]] const DomainSegments& segments_of(const Partners::Excerpt& excerpt) const {
-    return excerpt.segments != nullptr ? *excerpt.segments : segments_;
+  [[nodiscard]] const DomainSegments& segments_of(const Communicator::GatheredSubmesh& submesh) const {
+    return submesh.segments != nullptr ? *submesh.segments : segments_;
   }
 
   /// What waits afterwards is added to the pending triangles when the median of the keys is known: for the median, it
   /// counts on the rank that has refined.
-  void go_down_in_excerpt(const Levels& levels) {
+  void go_down_in_submesh(const Levels& levels) {
     const Waiting due = pending_.take();
-    RefineCounts in_last_excerpt;  // an excerpt that was too small does not count
-    const auto refine = [&](const Partners::Excerpt& excerpt, std::vector<TriangleId>& changed) {
-      const Threads one(1, threads_.stop);  // see go_up_in_excerpt()
-      Refinement in_excerpt(excerpt.t, segments_of(excerpt), criteria_, options_, progress_, one, schedule_, watcher_,
+    RefineCounts in_last_submesh;  // a submesh that was too small does not count
+    const auto refine = [&](const Communicator::GatheredSubmesh& submesh, std::vector<TriangleId>& changed) {
+      const Threads one(1, threads_.stop);  // see go_up_in_submesh()
+      Refinement in_submesh(submesh.t, segments_of(submesh), criteria_, options_, progress_, one, schedule_, watcher_,
                             nullptr);
-      in_excerpt.defer_again(excerpt.first);
-      in_excerpt.begin_excerpt(excerpt);
-      in_excerpt.refine_coarse_levels(levels);
-      in_last_excerpt = in_excerpt.counts_;
-      keys_in_excerpt_ = in_excerpt.pending_.count_keys();
-      changed = *std::move(in_excerpt.changed_);
-      return in_excerpt.pending_.take();
+      in_submesh.defer_again(submesh.first);
+      in_submesh.begin_submesh(submesh);
+      in_submesh.refine_coarse_levels(levels);
+      in_last_submesh = in_submesh.counts_;
+      keys_in_submesh_ = in_submesh.pending_.count_keys();
+      changed = *std::move(in_submesh.changed_);
+      return in_submesh.pending_.take();
     };
     waiting_ = in_parts_->refine_coarse(due.deferred, refine);
-    counts_.add(in_last_excerpt);
+    counts_.add(in_last_submesh);
   }
 
   /// Puts triangles into the list of deferred ones, as assess_all() does.
@@ -270,8 +270,8 @@ class Refinement {
 
   [[nodiscard]] unsigned median_key() {
     std::vector<std::uint64_t> counts = pending_.count_keys();
-    for (std::size_t key = 0; key < keys_in_excerpt_.size(); ++key) counts[key] += keys_in_excerpt_[key];
-    if (in_parts_ != nullptr) partners_->add_up(counts);
+    for (std::size_t key = 0; key < keys_in_submesh_.size(); ++key) counts[key] += keys_in_submesh_[key];
+    if (in_parts_ != nullptr) communicator_->add_up(counts);
     return PendingTriangles::median_key(counts);
   }
 
@@ -305,20 +305,20 @@ class Refinement {
     // A cell without work takes some time and memory, too.
     std::vector<double> work(finest.cells(), 1);
     for (const WorkAt& each : pending_.work(criteria_)) work[finest.cell_of(each.place)] += each.triangles;
-    partners_->divide(finest, work, runner_);
-    runner_.set_partners(partners_);
+    communicator_->divide(finest, work, runner_);
+    runner_.set_communicator(communicator_);
     is_divided_ = true;
-    if (!partners_->is_first()) counts_ = {};  // what all ranks have done alike counts once
-    pending_.keep_if([&](TriangleId id) { return partners_->is_at_home(id); });
+    if (!communicator_->is_first()) counts_ = {};  // what all ranks have done alike counts once
+    pending_.keep_if([&](TriangleId id) { return communicator_->is_at_home(id); });
   }
 
   void divide_anew(const Tiles& finest) {
     std::vector<double> work(finest.cells(), 0);
     for (const WorkAt& each : pending_.work(criteria_)) work[finest.cell_of(each.place)] += estimate(each.triangles);
-    add_up_estimates(work, *partners_);
+    add_up_estimates(work, *communicator_);
     for (double& of_cell : work) of_cell += 1;
     pending_.add(in_parts_->divide_anew(finest, work, pending_.take()));
-    runner_.set_partners(partners_);
+    runner_.set_communicator(communicator_);
     is_divided_ = true;
   }
 
@@ -326,7 +326,7 @@ class Refinement {
   /// tries the blocked triangles again: a vertex may now lie between the split point of a triangle and the segment that
   /// blocked it. As long as a pass over the levels inserts vertices, another one tries the triangles that still wait.
   void go_up(const Levels& levels) {
-    if (partners_ != nullptr) return go_up_in_excerpt(levels);
+    if (communicator_ != nullptr) return go_up_in_submesh(levels);
     if (counts_.budget_reached) return;
     bool goes_on = refine_waiting(levels, levels.size() - 1) || levels.size() == 1;
     while (goes_on && pending_.any_needs_larger_box()) goes_on = refine_waiting(levels, levels.size());
@@ -342,22 +342,22 @@ class Refinement {
 
   [[nodiscard]] std::uint64_t made() const { return counts_.inserted + counts_.segment_splits; }
 
-  void go_up_in_excerpt(const Levels& levels) {
+  void go_up_in_submesh(const Levels& levels) {
     const std::vector<QueuedTriangle> rest = pending_.take_needing_larger_box();
-    RefineCounts in_last_excerpt;  // an excerpt that was too small does not count
-    partners_->refine_rest(rest, [&](const Partners::Excerpt& excerpt) {
-      // On one thread: tasks on several would all write to the triangle that stands for those beyond the excerpt.
+    RefineCounts in_last_submesh;  // a submesh that was too small does not count
+    communicator_->refine_rest(rest, [&](const Communicator::GatheredSubmesh& submesh) {
+      // On one thread: tasks on several would all write to the triangle that stands for those beyond the submesh.
       const Threads one(1, threads_.stop);
-      Refinement in_excerpt(excerpt.t, segments_of(excerpt), criteria_, options_, progress_, one, schedule_, watcher_,
+      Refinement in_submesh(submesh.t, segments_of(submesh), criteria_, options_, progress_, one, schedule_, watcher_,
                             nullptr);
-      in_excerpt.pending_.add_needing_larger_box(excerpt.first);
-      in_excerpt.begin_excerpt(excerpt);
-      in_excerpt.go_up(levels);
-      in_last_excerpt = in_excerpt.counts_;
-      in_last_excerpt.left_alone = in_last_excerpt.left_alone || in_excerpt.pending_.any_needs_larger_box();
-      return *std::move(in_excerpt.changed_);
+      in_submesh.pending_.add_needing_larger_box(submesh.first);
+      in_submesh.begin_submesh(submesh);
+      in_submesh.go_up(levels);
+      in_last_submesh = in_submesh.counts_;
+      in_last_submesh.left_alone = in_last_submesh.left_alone || in_submesh.pending_.any_needs_larger_box();
+      return *std::move(in_submesh.changed_);
     });
-    counts_.add(in_last_excerpt);
+    counts_.add(in_last_submesh);
   }
 
   void refine_due(const Tiles& tiles, const Deferrals& later) {
@@ -379,13 +379,13 @@ class Refinement {
   [[nodiscard]] bool on_any_rank(bool here) const {
     if (!is_divided_) return here;
     std::uint64_t ranks = here ? 1 : 0;
-    partners_->add_up({&ranks, 1});
+    communicator_->add_up({&ranks, 1});
     return ranks > 0;
   }
 
   void add_up_counts() {
     std::array counts{counts_.inserted, counts_.segment_splits, counts_.refused};
-    partners_->add_up(counts);
+    communicator_->add_up(counts);
     counts_.inserted = counts[0];
     counts_.segment_splits = counts[1];
     counts_.refused = counts[2];
@@ -396,7 +396,7 @@ class Refinement {
   void add_up(Sweep& sweep) const {
     std::array counts{sweep.inserted, sweep.to_other_cells, sweep.beyond_box, sweep.out_of_numbers,
                       sweep.against_promise};
-    partners_->add_up(counts);
+    communicator_->add_up(counts);
     sweep.inserted = counts[0];
     sweep.to_other_cells = counts[1];
     sweep.beyond_box = counts[2];
@@ -425,7 +425,7 @@ class Refinement {
     if (changed_)
       for (PlannedTask& task : tasks) task.lists_changes = true;
     if (!tasks.empty()) runner_.run(tiles, tasks, later, [this](std::uint64_t made) { progress_.report(made); });
-    if (is_divided_) partners_->exchange_changes(tasks);
+    if (is_divided_) communicator_->exchange_changes(tasks);
     for (const PlannedTask& task : tasks) {
       threads_.ask();
       if (changed_) changed_->insert(changed_->end(), task.result.changed.begin(), task.result.changed.end());
@@ -458,10 +458,10 @@ class Refinement {
     counts_.left_alone = counts_.left_alone || r.left_alone;
     sweep.inserted += r.inserted + r.segment_splits;
     sweep.largest_task = std::max(sweep.largest_task, r.inserted + r.segment_splits);
-    sweep.to_other_cells += r.handed_on.size() - r.out_of_indices;
+    sweep.to_other_cells += r.handed_on.size() - r.out_of_numbers;
     sweep.beyond_box += task.outside_box.size() + r.needs_larger_box.size();
-    sweep.out_of_numbers += r.out_of_indices;
-    sweep.against_promise += r.t1_violations + task.t1_violations;
+    sweep.out_of_numbers += r.out_of_numbers;
+    sweep.against_promise += r.against_promise + task.against_promise;
   }
 
   Triangulation& t_;
@@ -470,13 +470,13 @@ class Refinement {
   const Options& options_;
   const Schedule& schedule_;
   const Watcher& watcher_;
-  Partners* partners_;
-  PartnersInParts* in_parts_;  ///< of partners_; nullptr unless the mesh begins in parts
+  Communicator* communicator_;
+  CommunicatorInParts* in_parts_;  ///< of communicator_; nullptr unless the mesh begins in parts
   bool is_divided_ = false;
-  Waiting waiting_;                                 ///< what waits after go_down_in_excerpt()
-  std::vector<std::uint64_t> keys_in_excerpt_;      ///< of its deferred triangles, on the rank that has refined it
-  std::optional<std::vector<TriangleId>> changed_;  ///< in an excerpt: the triangles made, with repetitions
-  std::vector<VertexId>* needs_more_at_ = nullptr;  ///< of the excerpt
+  Waiting waiting_;                                 ///< what waits after go_down_in_submesh()
+  std::vector<std::uint64_t> keys_in_submesh_;      ///< of its deferred triangles, on the rank that has refined it
+  std::optional<std::vector<TriangleId>> changed_;  ///< in a submesh: the triangles made, with repetitions
+  std::vector<VertexId>* needs_more_at_ = nullptr;  ///< of the submesh
   Assessor assessor_;
   Threads threads_;
   PhaseRunner runner_;
@@ -490,8 +490,8 @@ class Refinement {
 
 Result<RefineCounts> refine_by_sweeps(Triangulation& t, const DomainSegments& segments, const Criteria& criteria,
                                       const Options& options, ProgressMonitor& progress, const Schedule& schedule,
-                                      const Watcher& watcher, Partners* partners) try {
-  Refinement refinement(t, segments, criteria, options, progress, progress.threads(), schedule, watcher, partners);
+                                      const Watcher& watcher, Communicator* communicator) try {
+  Refinement refinement(t, segments, criteria, options, progress, progress.threads(), schedule, watcher, communicator);
   if (Status done = refinement.run(); !done) return done.error();
   return std::move(refinement).counts();
 } catch (const Stopped& stopped) {

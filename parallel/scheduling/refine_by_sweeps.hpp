@@ -51,7 +51,7 @@ struct RefineCounts {
 /// Called with a copy of the triangulation after each sweep. An Error ends the refinement.
 using Watcher = std::function<Status(Triangulation&& copy, const Sweep&)>;
 
-class Partners;
+class Communicator;
 
 /// Refines the triangulation in place. Precondition: it is a constrained Delaunay triangulation without ghosts, and all
 /// its boundary edges are constrained. Boundary edges on the border of a patch stay
@@ -59,12 +59,12 @@ class Partners;
 /// `cancelled`, `resources` or `internal`, or with the error that the watcher returned; the triangulation is then not
 /// usable.
 ///
-/// With partners, the ranks of a run refine the triangulation together (partners.hpp). All ranks pass equal arguments,
-/// options.max_vertices == 0, and no watcher. Afterwards t has gaps: unused indices, and slots of triangles that this
-/// rank does not hold. The counts are those of all ranks, but the tasks of the Tiling are those of this rank.
+/// With a communicator, the ranks of a run refine the triangulation together (communicator.hpp). All ranks pass equal
+/// arguments, options.max_vertices == 0, and no watcher. Afterwards t has gaps: unused indices, and slots of triangles
+/// that this rank does not hold. The counts are those of all ranks, but the tasks of the Tiling are those of this rank.
 [[nodiscard]] Result<RefineCounts> refine_by_sweeps(Triangulation& t, const DomainSegments& segments,
                                                     const Criteria& criteria, const Options& options,
                                                     ProgressMonitor& progress, const Schedule& schedule = {},
-                                                    const Watcher& watcher = {}, Partners* partners = nullptr);
+                                                    const Watcher& watcher = {}, Communicator* communicator = nullptr);
 
 }  // namespace pardel::engine

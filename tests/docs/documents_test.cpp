@@ -79,7 +79,7 @@ std::vector<std::string> broken_links(const std::string& text, const fs::path& d
 /// folder.
 bool looks_like_a_path(const std::string& word) {
   static const std::regex path(
-      R"((core|ref|parallel|properties|fuzz|bench|tests|cli|cmake|scripts|examples|docs|\.ci)/[\w./-]*|[A-Z]+\.md)");
+      R"((core|ref|parallel|distributed|properties|fuzz|bench|tests|cli|cmake|scripts|examples|docs|\.ci)/[\w./-]*|[A-Z]+\.md)");
   return std::regex_match(word, path);
 }
 
@@ -87,7 +87,8 @@ bool looks_like_a_path(const std::string& word) {
 const std::set<std::string>& file_names() {
   static const std::set<std::string> names = [] {
     std::set<std::string> found;
-    for (const char* folder : {"core", "ref", "parallel", "properties", "fuzz", "bench", "tests", "cli", "cmake"}) {
+    for (const char* folder :
+         {"core", "ref", "parallel", "distributed", "properties", "fuzz", "bench", "tests", "cli", "cmake"}) {
       for (const auto& entry : fs::recursive_directory_iterator(source_root / folder)) {
         found.insert(entry.path().filename().string());
       }
@@ -123,6 +124,47 @@ TEST(Documents, name_only_files_and_folders_that_exist) {
   for (const fs::path& document : documents()) {
     EXPECT_EQ(missing_paths(read_document(document), document), Strings()) << document;
   }
+}
+
+/// The part of a document under a heading, up to the next one.
+std::string section(const std::string& text, const std::string& heading) {
+  const std::size_t begin = text.find("\n## " + heading + "\n");
+  if (begin == std::string::npos) return {};
+  return text.substr(begin, text.find("\n## ", begin + 1) - begin);
+}
+
+/// The functions that a cell of the table names and that are not in their files. `path`: `name`, `name`
+Strings missing_functions(const std::string& cell) {
+  static const std::regex place(R"(`([\w/]+\.[hc]pp)`: ((`\w+`(, )?)+))"), name(R"(\w+)");
+  Strings missing;
+  for (const std::smatch& match : matches(cell, place)) {
+    const std::string source = read_document(match[1].str()), names = match[2];
+    for (const std::smatch& each : matches(names, name))
+      if (!std::regex_search(source, std::regex("\\b" + each[0].str() + "\\b")))
+        missing.push_back(match[1].str() + ": " + each[0].str());
+  }
+  return missing;
+}
+
+TEST(Documents, lead_from_each_statement_of_the_paper_to_lines_that_exist) {
+  const std::string table = section(read_document("ARCHITECTURE.md"), "From the paper to the line");
+  const std::string catalogue = read_document("properties/CATALOGUE.md");
+  static const std::regex row(R"(\n\| (\[[^|]*)\|([^|]*)\|([^|]*)\| (`[^|]*`) \| ?(?:`(\w+)`)? ?\|)");
+  int rows = 0, functions = 0;
+  for (const std::smatch& match : matches(table, row)) {
+    ++rows;
+    for (const int cell : {2, 3}) {
+      EXPECT_EQ(missing_functions(match[cell]), Strings());
+      functions += static_cast<int>(std::ranges::count(match[cell].str(), ':'));
+    }
+    EXPECT_NE(catalogue.find(match[4].str()), std::string::npos) << match[4];
+    if (match[5].matched) {
+      EXPECT_TRUE(fs::exists(source_root / "tests/witnesses" / (match[5].str() + ".svg"))) << match[5];
+    }
+  }
+  EXPECT_GE(rows, 10);
+  EXPECT_GE(functions, 16);
+  EXPECT_EQ(missing_functions("`ref/ruppert.hpp`: `no_function`"), Strings{"ref/ruppert.hpp: no_function"});
 }
 
 TEST(Documents, link_only_to_files_and_headings_that_exist) {

@@ -78,7 +78,7 @@ TEST(MeshOfPoints, in_difficult_positions_is_the_mesh_of_one_process) {
                                    {.triangles_per_tile = 50, .min_edge = 0}, family.name);
 }
 
-/// The first rank needs more triangles than the first excerpt has.
+/// The first rank needs more triangles than the first submesh has.
 TEST(MeshOfPoints, close_to_a_line_is_the_mesh_of_one_process) {
   expect_the_mesh_of_one_process(domains::line_points(10'000, 1), {.min_angle_deg = 30}, {}, "line");
 }

@@ -114,8 +114,8 @@ class Watched : public Observable {
   std::size_t phase_ = 0;
 };
 
-void expect_refined(DomainTriangulation& domain, const Case& c, const Options& options, Partners& partners) {
-  const Result<RefineCounts> counts = samples::refine(domain, c, options, partners);
+void expect_refined(DomainTriangulation& domain, const Case& c, const Options& options, Communicator& communicator) {
+  const Result<RefineCounts> counts = samples::refine(domain, c, options, communicator);
   EXPECT_TRUE(counts) << counts.error().message;
 }
 

@@ -25,7 +25,7 @@ class PartOfRank {
   IndexAllocator vertices_, triangles_;
 
  public:
-  HeldPart held;
+  Subdomain held;
 };
 
 }  // namespace pardel::engine

@@ -148,8 +148,8 @@ TEST(Task, hands_the_rest_on_to_its_own_cell_where_its_indices_are_used_up) {
   TaskScene scene(50);
   const TaskResult result = scene.run(one_cell, 0);
   EXPECT_EQ(result.inserted + result.segment_splits, 50U);
-  EXPECT_GT(result.out_of_indices, 0U);
-  EXPECT_EQ(result.handed_on.size(), result.out_of_indices);
+  EXPECT_GT(result.out_of_numbers, 0U);
+  EXPECT_EQ(result.handed_on.size(), result.out_of_numbers);
   for (const HandedOn& h : result.handed_on) EXPECT_EQ(h.cell, 0U);
   for (const TriangleId id : scene.bad()) {
     EXPECT_TRUE(std::any_of(result.handed_on.begin(), result.handed_on.end(), [&](const HandedOn& h) {

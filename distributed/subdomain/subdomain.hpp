@@ -16,7 +16,7 @@ namespace pardel::engine {
 
 /// Triangles of one rank, with names that other ranks understand. At the border of the part, triangles have the
 /// neighbour `beyond` (triangulation/held.hpp).
-class HeldPart {
+class Subdomain {
  public:
   /// What all ranks have in common: vertices and slots with the same indices, from 0 on.
   struct Common {
@@ -25,8 +25,8 @@ class HeldPart {
   [[nodiscard]] const Common& common() const { return common_; }
   /// The allocators are those of t; new indices are taken from them. Common indices are named after everyone, others
   /// after `self`. `segments`: those of t, or nullptr if all ranks have all segments.
-  HeldPart(Triangulation& t, IndexAllocator& vertices, IndexAllocator& triangles, std::uint32_t self, Common common,
-           HeldSegments* segments = nullptr);
+  Subdomain(Triangulation& t, IndexAllocator& vertices, IndexAllocator& triangles, std::uint32_t self, Common common,
+            HeldSegments* segments = nullptr);
   [[nodiscard]] const HeldSegments* segments() const { return segments_; }
 
   /// True if the slot contains a triangle of the part. Precondition: no phase runs.
@@ -133,7 +133,7 @@ class HeldPart {
 };
 
 template <class Visit>
-void HeldPart::for_each_triangle(TriangleId first, TriangleId last, const Visit& visit) const {
+void Subdomain::for_each_triangle(TriangleId first, TriangleId last, const Visit& visit) const {
   // Copies, because the compiler would load the originals again after each visit.
   const Slot* const slots = t_.slots.data();
   const VertexId nowhere = nowhere_;

@@ -1,4 +1,4 @@
-#include "ask_others.hpp"
+#include "resolve_halo.hpp"
 
 #include <algorithm>
 #include <array>
@@ -166,7 +166,7 @@ std::vector<Site> common_sites(std::span<const Point> own, std::uint64_t first, 
   return concatenated(lists_of_all(known, ranks));
 }
 
-int ask_others(LocalDelaunay& delaunay, const CurveDivision& division, Ranks& ranks, const Threads& threads) {
+int resolve_halo(LocalDelaunay& delaunay, const CurveDivision& division, Ranks& ranks, const Threads& threads) {
   return Asker(delaunay, division, ranks, threads).run();
 }
 

@@ -1,4 +1,4 @@
-#include "../../../distributed/subdomain/held_part.hpp"
+#include "../../../distributed/subdomain/subdomain.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,11 +19,11 @@ struct Holder {
         part(t, vertices, triangles, Name::rank(rank), {0, 0}) {}
   Triangulation t;
   IndexAllocator vertices, triangles;
-  HeldPart part;
+  Subdomain part;
 };
 
 /// A third rank may send a triangle that this rank has named, and that it has sent to nobody itself.
-TEST(HeldPart, knows_that_others_know_a_triangle_that_comes_from_them) {
+TEST(Subdomain, knows_that_others_know_a_triangle_that_comes_from_them) {
   const Result<DomainTriangulation> domain = triangulate_domain(domains::square(), false);
   ASSERT_TRUE(domain) << domain.error().message;
   const Triangulation& whole = domain->triangulation;

@@ -1,4 +1,4 @@
-#include "../../../distributed/subdomain/excerpts.hpp"
+#include "../../../distributed/subdomain/submeshes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,17 +15,17 @@
 namespace pardel::engine {
 namespace {
 
-using Refine = Partners::RefineExcerpt;
+using Refine = Communicator::RefineSubmesh;
 
 const Triangulation& mesh_of_points() {
   static const Result<DomainTriangulation> domain = triangulate_domain(domains::random_points(2000, 3), true);
   return domain.value().triangulation;
 }
 
-std::vector<TriangleId> triangles_of(const Triangulation& excerpt) {
+std::vector<TriangleId> triangles_of(const Triangulation& submesh) {
   std::vector<TriangleId> triangles;
-  for (TriangleId id = 0; id < excerpt.slots.size(); ++id)
-    if (is_held(excerpt, id)) triangles.push_back(id);
+  for (TriangleId id = 0; id < submesh.slots.size(); ++id)
+    if (is_held(submesh, id)) triangles.push_back(id);
   return triangles;
 }
 
@@ -35,7 +35,7 @@ struct Outcome {
   int different = 0;  ///< the number of ranks whose part of the mesh is not what it was
 };
 
-/// Two ranks do a piece of work in excerpts of mesh_of_points(), around its first triangle.
+/// Two ranks do a piece of work in submeshes of mesh_of_points(), around its first triangle.
 Outcome work_on_two_ranks(const Refine& refine) {
   const Triangulation& whole = mesh_of_points();
   const auto owner = [](VertexId v) { return static_cast<int>(v) % 2; };
@@ -51,12 +51,12 @@ Outcome work_on_two_ranks(const Refine& refine) {
     Rings rings(part.held, part.t, ranks, owner, centre);
     const std::vector<Name> names{{Name::everyone, 0}};
     bool has_finished = false, is_held_by_both = true;
-    const ExcerptWork work{
+    const SubmeshWork work{
         Name::rank(2), names, refine,
         [&](int rank, const Triangulation& t, TriangleId id) { return holds(rank, t.slots[id]); },
-        [&](const HeldPart&, const Triangulation&, std::span<const VertexId>) { has_finished = true; }};
+        [&](const Subdomain&, const Triangulation&, std::span<const VertexId>) { has_finished = true; }};
     try {
-      work_in_excerpts(work, part.held, part.t, rings, ranks);
+      work_in_submeshes(work, part.held, part.t, rings, ranks);
     } catch (const NotHeld&) {
       is_held_by_both = false;
     }
@@ -72,43 +72,46 @@ Outcome work_on_two_ranks(const Refine& refine) {
   return outcome;
 }
 
-TEST(Excerpts, grow_if_the_work_needs_a_triangle_at_an_unknown_place) {
+TEST(GatheredSubmeshes, grow_if_the_work_needs_a_triangle_at_an_unknown_place) {
   std::vector<std::size_t> sizes;
-  const Outcome outcome = work_on_two_ranks([&](const Partners::Excerpt& excerpt) -> std::vector<TriangleId> {
-    sizes.push_back(triangles_of(excerpt.t).size());
-    if (sizes.size() < 4) throw NotHeld{};
-    return {};
-  });
+  const Outcome outcome =
+      work_on_two_ranks([&](const Communicator::GatheredSubmesh& submesh) -> std::vector<TriangleId> {
+        sizes.push_back(triangles_of(submesh.t).size());
+        if (sizes.size() < 4) throw NotHeld{};
+        return {};
+      });
   EXPECT_EQ(outcome.finished, 1);
   EXPECT_EQ(outcome.not_held, 0);
   EXPECT_EQ(outcome.different, 0);
   ASSERT_EQ(sizes.size(), 4U);
   for (std::size_t i = 1; i < sizes.size(); ++i) EXPECT_GT(sizes[i], sizes[i - 1]);
-  EXPECT_LT(sizes.back(), mesh_of_points().slots.size()) << "the last excerpt was the whole mesh";
+  EXPECT_LT(sizes.back(), mesh_of_points().slots.size()) << "the last submesh was the whole mesh";
 }
 
-TEST(Excerpts, forget_what_an_attempt_changed_before_it_needed_more) {
+TEST(GatheredSubmeshes, forget_what_an_attempt_changed_before_it_needed_more) {
   int attempts = 0;
-  const Outcome outcome = work_on_two_ranks([&](const Partners::Excerpt& excerpt) -> std::vector<TriangleId> {
-    const TriangleId first = excerpt.first.at(0).id();
-    const VertexId corner = excerpt.t.slots[first].v[0];
-    EXPECT_EQ(excerpt.t.origin[corner], input_vertex);
-    excerpt.t.origin[corner] = origin_on_segment(7);
-    excerpt.t.slots[first].n.fill({});
-    if (++attempts < 3) throw NotHeld{};
-    return {};
-  });
+  const Outcome outcome =
+      work_on_two_ranks([&](const Communicator::GatheredSubmesh& submesh) -> std::vector<TriangleId> {
+        const TriangleId first = submesh.first.at(0).id();
+        const VertexId corner = submesh.t.slots[first].v[0];
+        EXPECT_EQ(submesh.t.origin[corner], input_vertex);
+        submesh.t.origin[corner] = origin_on_segment(7);
+        submesh.t.slots[first].n.fill({});
+        if (++attempts < 3) throw NotHeld{};
+        return {};
+      });
   EXPECT_EQ(attempts, 3);
   EXPECT_EQ(outcome.finished, 1);
   EXPECT_EQ(outcome.different, 0);
 }
 
-TEST(Excerpts, of_the_whole_mesh_are_the_last_attempt_and_then_all_ranks_fail) {
+TEST(GatheredSubmeshes, of_the_whole_mesh_are_the_last_attempt_and_then_all_ranks_fail) {
   std::size_t last = 0;
-  const Outcome outcome = work_on_two_ranks([&](const Partners::Excerpt& excerpt) -> std::vector<TriangleId> {
-    last = triangles_of(excerpt.t).size();
-    throw NotHeld{};
-  });
+  const Outcome outcome =
+      work_on_two_ranks([&](const Communicator::GatheredSubmesh& submesh) -> std::vector<TriangleId> {
+        last = triangles_of(submesh.t).size();
+        throw NotHeld{};
+      });
   EXPECT_EQ(outcome.finished, 0);
   EXPECT_EQ(outcome.not_held, 2);
   EXPECT_EQ(outcome.different, 0);
@@ -117,31 +120,32 @@ TEST(Excerpts, of_the_whole_mesh_are_the_last_attempt_and_then_all_ranks_fail) {
 
 /// The triangle across a side of a changed one might have to change, too. The walk over a cavity does not notice that
 /// it is missing if the side is constrained.
-TEST(Excerpts, get_the_triangles_around_a_changed_one_at_their_border) {
+TEST(GatheredSubmeshes, get_the_triangles_around_a_changed_one_at_their_border) {
   std::optional<std::array<Point, 3>> at_border;
   std::size_t attempts = 0;
-  const Outcome outcome = work_on_two_ranks([&](const Partners::Excerpt& excerpt) -> std::vector<TriangleId> {
-    const Triangulation& t = excerpt.t;
-    const auto corners = [&](TriangleId id) {
-      const auto& v = t.slots[id].v;
-      return std::array{t.points[v[0]], t.points[v[1]], t.points[v[2]]};
-    };
-    const auto is_at_border = [&](TriangleId id) {
-      return std::ranges::any_of(t.slots[id].n,
-                                 [&](EdgeRef across) { return !across.none() && !is_held(t, across.triangle()); });
-    };
-    const std::vector<TriangleId> triangles = triangles_of(t);
-    ++attempts;
-    if (!at_border) {
-      const auto first = std::ranges::find_if(triangles, is_at_border);
-      at_border = corners(*first);
-      return {*first};
-    }
-    const auto same = std::ranges::find_if(triangles, [&](TriangleId id) { return corners(id) == *at_border; });
-    EXPECT_TRUE(same != triangles.end());
-    EXPECT_FALSE(is_at_border(*same));
-    return {*same};
-  });
+  const Outcome outcome =
+      work_on_two_ranks([&](const Communicator::GatheredSubmesh& submesh) -> std::vector<TriangleId> {
+        const Triangulation& t = submesh.t;
+        const auto corners = [&](TriangleId id) {
+          const auto& v = t.slots[id].v;
+          return std::array{t.points[v[0]], t.points[v[1]], t.points[v[2]]};
+        };
+        const auto is_at_border = [&](TriangleId id) {
+          return std::ranges::any_of(t.slots[id].n,
+                                     [&](EdgeRef across) { return !across.none() && !is_held(t, across.triangle()); });
+        };
+        const std::vector<TriangleId> triangles = triangles_of(t);
+        ++attempts;
+        if (!at_border) {
+          const auto first = std::ranges::find_if(triangles, is_at_border);
+          at_border = corners(*first);
+          return {*first};
+        }
+        const auto same = std::ranges::find_if(triangles, [&](TriangleId id) { return corners(id) == *at_border; });
+        EXPECT_TRUE(same != triangles.end());
+        EXPECT_FALSE(is_at_border(*same));
+        return {*same};
+      });
   EXPECT_EQ(attempts, 2U);
   EXPECT_EQ(outcome.finished, 1);
   EXPECT_EQ(outcome.not_held, 0);

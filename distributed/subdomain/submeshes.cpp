@@ -1,4 +1,4 @@
-#include "excerpts.hpp"
+#include "submeshes.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -13,44 +13,44 @@
 namespace pardel::engine {
 namespace {
 
-/// The rings of the first excerpt.
+/// The rings of the first submesh.
 constexpr unsigned first_rings = 3;
 
-/// The next excerpts have more rings around the places where the one before was too small: 2, 2, 4, 4 and so on. Fewer
+/// The next submeshes have more rings around the places where the one before was too small: 2, 2, 4, 4 and so on. Fewer
 /// rings at a time would need fewer triangles (one at a time: 4 % fewer, for a coast), but more attempts.
 [[nodiscard]] unsigned rings_to_add(unsigned attempts) { return 2U << (attempts / 2); }
 
 /// Copies the vertices that all ranks have in common, and makes one slot without a triangle: arrays of regions that are
 /// empty would mean that there are no regions.
-Triangulation empty_excerpt(const Triangulation& t, Index common_vertices) {
-  Triangulation excerpt;
-  excerpt.points.append(t.points.span().first(common_vertices));
-  excerpt.origin.append(t.origin.span().first(common_vertices));
-  excerpt.slots.resize(1);
-  if (!t.region.empty()) excerpt.region.resize(1);
-  return excerpt;
+Triangulation empty_submesh(const Triangulation& t, Index common_vertices) {
+  Triangulation submesh;
+  submesh.points.append(t.points.span().first(common_vertices));
+  submesh.origin.append(t.origin.span().first(common_vertices));
+  submesh.slots.resize(1);
+  if (!t.region.empty()) submesh.region.resize(1);
+  return submesh;
 }
 
-/// What has come of the work in an excerpt.
+/// What has come of the work in a submesh.
 struct Attempt {
-  std::optional<std::vector<Writer>> changes;  ///< one for each rank; nothing if the excerpt was too small
+  std::optional<std::vector<Writer>> changes;  ///< one for each rank; nothing if the submesh was too small
   std::vector<Name> needs_more_at;             ///< the vertices around which it was too small, if they are known
 };
 
-/// The excerpt, on the first rank. It grows until it is large enough.
-class GrowingExcerpt {
+/// The submesh, on the first rank. It grows until it is large enough.
+class GrowingSubmesh {
  public:
   /// `whole`: the triangulation of the first rank, and `part` its part of the mesh.
-  GrowingExcerpt(const ExcerptWork& work, const Triangulation& whole, const HeldPart& part) : work_(work) {
+  GrowingSubmesh(const SubmeshWork& work, const Triangulation& whole, const Subdomain& part) : work_(work) {
     if (part.segments() != nullptr) {
       domain_ = part.segments()->domain_of_common();
       segments_.emplace(domain_, work.creator, part.segments()->common());
     }
     const Index common = part.common().vertices;
-    t_ = empty_excerpt(whole, common);
+    t_ = empty_submesh(whole, common);
     vertices_.emplace(common, no_index);
     triangles_.emplace(Index{1}, max_engine_triangles);
-    part_.emplace(t_, *vertices_, *triangles_, work.creator, HeldPart::Common{common, 0},
+    part_.emplace(t_, *vertices_, *triangles_, work.creator, Subdomain::Common{common, 0},
                   segments_ ? &*segments_ : nullptr);
     part_->forget(0);
   }
@@ -60,7 +60,7 @@ class GrowingExcerpt {
     part_->sew();
   }
 
-  /// If the excerpt is too small, it is as before.
+  /// If the submesh is too small, it is as before.
   [[nodiscard]] Attempt attempt(int ranks) {
     Triangulation before = t_;
     std::vector<TriangleId> changed;
@@ -121,12 +121,12 @@ class GrowingExcerpt {
     return messages;
   }
 
-  const ExcerptWork& work_;
+  const SubmeshWork& work_;
   DomainTriangulation domain_;
   Triangulation& t_ = domain_.triangulation;
   std::optional<HeldSegments> segments_;
   std::optional<IndexAllocator> vertices_, triangles_;  ///< of the triangles that have arrived
-  std::optional<HeldPart> part_;
+  std::optional<Subdomain> part_;
 };
 
 /// Adds rings around these vertices, or around all if these do not help. Returns false if there are no more triangles.
@@ -141,10 +141,10 @@ bool grow(Rings& rings, unsigned count, std::span<const Name> vertices) {
 
 }  // namespace
 
-void work_in_excerpts(const ExcerptWork& work, HeldPart& part, const Triangulation& t, Rings& rings, Ranks& ranks) {
+void work_in_submeshes(const SubmeshWork& work, Subdomain& part, const Triangulation& t, Rings& rings, Ranks& ranks) {
   const auto count = static_cast<std::size_t>(ranks.count());
-  std::optional<GrowingExcerpt> excerpt;
-  if (ranks.rank() == 0) excerpt.emplace(work, t, part);
+  std::optional<GrowingSubmesh> submesh;
+  if (ranks.rank() == 0) submesh.emplace(work, t, part);
   std::size_t sent = 0;
   for (unsigned ring = 0; ring < first_rings; ++ring) rings.grow();
   for (unsigned attempts = 0;; ++attempts) {
@@ -153,9 +153,9 @@ void work_in_excerpts(const ExcerptWork& work, HeldPart& part, const Triangulati
     if (!fresh.empty()) part.write(fresh, {}, messages[0]);
     const std::vector<Ranks::Bytes> arrived = exchange(messages, ranks);
     Attempt here;
-    if (excerpt) {
-      excerpt->add(arrived);
-      here = excerpt->attempt(ranks.count());
+    if (submesh) {
+      submesh->add(arrived);
+      here = submesh->attempt(ranks.count());
     }
     if (sum_of(here.changes ? 1 : 0, ranks) > 0) {
       messages = here.changes ? *std::move(here.changes) : std::vector<Writer>(count);

@@ -1,21 +1,21 @@
-#include "held_part.hpp"
+#include "subdomain.hpp"
 
 #include <limits>
 #include <unordered_map>
 
 namespace pardel::engine {
 
-struct HeldPart::TravellingVertex {
+struct Subdomain::TravellingVertex {
   std::uint64_t name;
   Point at;
   std::uint64_t origin;  ///< HeldSegments::travelling_origin() if ranks have different segments
 };
 
-struct HeldPart::TravellingTriangle {
+struct Subdomain::TravellingTriangle {
   std::uint64_t name;
   std::array<Index, 3> v;          ///< places in the message's list of vertices
   Index region;                    ///< no_index if triangles have no regions
-  std::array<std::uint64_t, 3> n;  ///< see HeldPart::travelling
+  std::array<std::uint64_t, 3> n;  ///< see Subdomain::travelling
 };
 
 namespace {
@@ -39,8 +39,8 @@ std::vector<IndexRange> some_of(IndexAllocator& indices, std::size_t count) {
 
 }  // namespace
 
-HeldPart::HeldPart(Triangulation& t, IndexAllocator& vertices, IndexAllocator& triangles, std::uint32_t self,
-                   Common common, HeldSegments* segments)
+Subdomain::Subdomain(Triangulation& t, IndexAllocator& vertices, IndexAllocator& triangles, std::uint32_t self,
+                     Common common, HeldSegments* segments)
     : t_(t),
       segments_(segments),
       vertices_(vertices),
@@ -62,7 +62,7 @@ HeldPart::HeldPart(Triangulation& t, IndexAllocator& vertices, IndexAllocator& t
     for (TriangleId id = range.begin; id < range.end; ++id) forget(id);
 }
 
-void HeldPart::make_room() {
+void Subdomain::make_room() {
   if (t_.points.size() < vertices_.end()) {
     t_.points.resize_uninitialised(vertices_.end());
     t_.origin.resize_uninitialised(vertices_.end());
@@ -73,7 +73,7 @@ void HeldPart::make_room() {
   }
 }
 
-Index HeldPart::new_vertex() {
+Index Subdomain::new_vertex() {
   if (new_vertices_.left() == 0) {
     new_vertices_ = IndexPool(some_of(vertices_, chunk));
     make_room();
@@ -81,7 +81,7 @@ Index HeldPart::new_vertex() {
   return new_vertices_.take();
 }
 
-Index HeldPart::new_slot() {
+Index Subdomain::new_slot() {
   if (spare_.empty()) {
     const std::vector<IndexRange> ranges = some_of(*triangles_, chunk);
     make_room();
@@ -97,7 +97,7 @@ Index HeldPart::new_slot() {
 }
 
 /// The neighbours of the triangle no longer refer to it.
-void HeldPart::detach(TriangleId id) {
+void Subdomain::detach(TriangleId id) {
   for (unsigned side = 0; side < 3; ++side) {
     const EdgeRef across = t_.slots[id].n[side];
     if (across.none() || is_beyond(across)) continue;
@@ -106,25 +106,25 @@ void HeldPart::detach(TriangleId id) {
   }
 }
 
-void HeldPart::forget(TriangleId id) {
+void Subdomain::forget(TriangleId id) {
   t_.slots[id] = {{nowhere_, nowhere_, nowhere_}, {}};
   triangle_names_.release(id);
   spare_.push_back(id);
 }
 
-void HeldPart::drop(TriangleId id) {
+void Subdomain::drop(TriangleId id) {
   detach(id);
   forget(id);
 }
 
-std::uint64_t HeldPart::travelling(EdgeRef across) const {
+std::uint64_t Subdomain::travelling(EdgeRef across) const {
   if (across.none()) return no_neighbour;
   const std::uint64_t constrained = across.constrained() ? constrained_bit : 0;
   if (is_beyond(across)) return not_held + constrained;
   return Names::packed(name_of(across.triangle())) << bits_of_side | across.side() << 1U | constrained;
 }
 
-void HeldPart::write(std::span<const TriangleId> triangles, std::span<const Name> dropped, Writer& message) {
+void Subdomain::write(std::span<const TriangleId> triangles, std::span<const Name> dropped, Writer& message) {
   std::vector<VertexId> vertices;
   const auto add = [&](VertexId v) {
     if (place_in_message_.get(v) != 0) return;
@@ -164,7 +164,7 @@ void HeldPart::write(std::span<const TriangleId> triangles, std::span<const Name
 }
 
 /// A new vertex counts as a point of the input, until its origin is set.
-VertexId HeldPart::place(Name name, Point at) {
+VertexId Subdomain::place(Name name, Point at) {
   VertexId v = vertex_names_.index_of(name);
   if (v == no_index) {
     v = new_vertex();
@@ -176,12 +176,12 @@ VertexId HeldPart::place(Name name, Point at) {
   return v;
 }
 
-void HeldPart::add(std::span<const LoosePoint> loose) {
+void Subdomain::add(std::span<const LoosePoint> loose) {
   for (const LoosePoint& point : loose) static_cast<void>(place(point.name, point.at));
   vertices_.settle();
 }
 
-TriangleId HeldPart::place(const TravellingTriangle& triangle, std::span<const VertexId> vertices) {
+TriangleId Subdomain::place(const TravellingTriangle& triangle, std::span<const VertexId> vertices) {
   const Name name = Names::unpacked(triangle.name);
   TriangleId id = triangle_names_.index_of(name);
   if (id == no_index) {
@@ -202,7 +202,7 @@ TriangleId HeldPart::place(const TravellingTriangle& triangle, std::span<const V
   return id;
 }
 
-void HeldPart::link(const TravellingTriangle& triangle, TriangleId id) {
+void Subdomain::link(const TravellingTriangle& triangle, TriangleId id) {
   for (unsigned side = 0; side < 3; ++side) {
     const std::uint64_t across = triangle.n[side];
     if (across >= not_held) continue;
@@ -213,7 +213,7 @@ void HeldPart::link(const TravellingTriangle& triangle, TriangleId id) {
   }
 }
 
-void HeldPart::sew() {
+void Subdomain::sew() {
   std::unordered_map<std::uint64_t, EdgeRef> loose;  // by the ends of the side, in the direction of its triangle
   const auto key = [](VertexId from, VertexId to) { return std::uint64_t{from} << 32U | to; };
   for_each_triangle([&](TriangleId id) {
@@ -231,12 +231,12 @@ void HeldPart::sew() {
   });
 }
 
-struct HeldPart::Arrived {
+struct Subdomain::Arrived {
   PackedList<TravellingTriangle> triangles;
   std::vector<TriangleId> ids;
 };
 
-void HeldPart::read(std::span<const Ranks::Bytes> messages) {
+void Subdomain::read(std::span<const Ranks::Bytes> messages) {
   std::vector<Arrived> all;
   for (const Ranks::Bytes& bytes : messages) {
     if (bytes.empty()) continue;
