@@ -138,8 +138,27 @@ const std::vector<Exception>& exceptions() {
   return table;
 }
 
-/// The most files of one folder of parallel/ or distributed/.
-constexpr std::size_t most_files_of_a_room = 16;
+/// Longer classes of the engine and of the ranks need a reason.
+constexpr int most_lines_of_a_class = 200;
+
+struct LongClass {
+  std::string_view file;
+  std::string_view name;
+  std::string_view reason;
+};
+const std::vector<LongClass>& long_classes() {
+  static const std::vector<LongClass> table = {
+      {"parallel/interpolation/feature_sources.cpp", "Features",
+       "one pass over all features, with one list of sources"},
+      {"parallel/scheduling/refine_by_sweeps.cpp", "Refinement",
+       "the levels of three decompositions, alone and on ranks"},
+      {"parallel/segments/plane_sweep.cpp", "PlaneSweep", "one algorithm on one state: agenda, status and results"},
+      {"distributed/delaunay/piece_of_points.cpp", "PointsPieceMaker", "steps that fill one piece"},
+      {"distributed/divided_input/part_of_domain.cpp", "PartMaker", "steps that fill one part"},
+      {"distributed/meshing/filled_pieces.cpp", "FilledPieceMaker", "steps that fill one piece"},
+  };
+  return table;
+}
 
 // ---------------------------------------------------------------------------------------------------------------------
 // The rules.
@@ -230,14 +249,16 @@ void check_namespaces(const std::string& file, const SourceFile& source, std::ve
                       std::string(room->name_space));
 }
 
-void check_sizes(const SourceTree& tree, std::vector<std::string>& found) {
-  std::map<std::string, std::size_t> files;
-  for (const auto& [file, source] : tree)
-    if (lies_in(file, "parallel") || lies_in(file, "distributed")) ++files[folder_of(file)];
-  for (const auto& [folder, count] : files)
-    if (count > most_files_of_a_room)
-      found.push_back(folder + ": " + std::to_string(count) + " files, more than " +
-                      std::to_string(most_files_of_a_room));
+void check_classes(const std::string& file, const SourceFile& source, std::vector<std::string>& found) {
+  if (!lies_in(file, "parallel") && !lies_in(file, "distributed")) return;
+  for (const Class& each : source.classes) {
+    const bool has_reason = std::ranges::any_of(
+        long_classes(), [&](const LongClass& known) { return known.file == file && known.name == each.name; });
+    if (has_reason == each.lines > most_lines_of_a_class) continue;
+    found.push_back(file + ":" + std::to_string(each.line) + ": class " + each.name + " has " +
+                    std::to_string(each.lines) + " lines" +
+                    (has_reason ? " and needs no reason" : ", more than " + std::to_string(most_lines_of_a_class)));
+  }
 }
 
 }  // namespace
@@ -253,11 +274,11 @@ std::vector<std::string> violations(const SourceTree& tree) {
       if (const auto reason = objection(tree, file, include.target))
         found.push_back(file + ":" + std::to_string(include.line) + ": includes " + include.target + ": " + *reason);
     check_namespaces(file, source, found);
+    check_classes(file, source, found);
   }
   std::set<std::string> done;
   std::vector<std::string> path;
   for (const auto& [file, source] : tree) find_circles(tree, file, path, done, found);
-  check_sizes(tree, found);
   return found;
 }
 

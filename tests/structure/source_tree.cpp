@@ -20,11 +20,15 @@ std::string included_by(const std::string& line, const fs::path& folder) {
 
 SourceFile read_source_file(const fs::path& file, const fs::path& folder) {
   static const std::regex opens_namespace(R"re(^namespace (pardel[A-Za-z0-9_:]*) \{.*)re");
+  static const std::regex opens_class(R"re(^(?:class|struct) (\w+)[^;]*\{)re");
   SourceFile source;
   std::ifstream in(file);
   std::string line;
   for (int number = 1; std::getline(in, line); ++number) {
     std::smatch match;
+    if (std::regex_match(line, match, opens_class)) source.classes.push_back({match[1].str(), number, 0});
+    if (line == "};" && !source.classes.empty() && source.classes.back().lines == 0)
+      source.classes.back().lines = number - source.classes.back().line + 1;
     if (std::regex_match(line, match, opens_namespace)) source.namespaces.push_back(match[1].str());
     if (std::string target = included_by(line, folder); !target.empty()) source.includes.push_back({number, target});
   }

@@ -1,4 +1,5 @@
-// The C++ files of the repository: which file includes which, and which namespaces a header opens.
+// The C++ files of the repository: which file includes which, which namespaces it opens,
+// and how long its classes are.
 #pragma once
 
 #include <filesystem>
@@ -14,9 +15,17 @@ struct Include {
   std::string target;  ///< relative to the root of the repository
 };
 
+/// A class or struct that is not inside another one.
+struct Class {
+  std::string name;
+  int line = 0;   ///< at which it begins
+  int lines = 0;  ///< how many it has
+};
+
 struct SourceFile {
   std::vector<Include> includes;
   std::vector<std::string> namespaces;  ///< in the file's order; those named `pardel` or `pardel::...` only
+  std::vector<Class> classes;
 };
 
 /// The source files by path; paths are relative to the root of the repository.
