@@ -255,14 +255,21 @@ TEST_F(FormatExamples, can_be_read) {
   EXPECT_EQ(message_of(read_sizes(folder_ / "work" / "domain.sizes")), "");
 }
 
-class QuickStart : public Workshop {};
+class QuickStart : public Workshop {
+ protected:
+  /// Runs the commands below the heading "Quick start" of a document.
+  void run_quick_start_of(const fs::path& document) const {
+    const Strings blocks = code_blocks(section(read_document(document), "Quick start"), "sh");
+    const std::string folder = fs::path(PARDEL_PROGRAM).parent_path().string();
+    const Ran ran = run("sh", {"-c", "set -e; PATH='" + folder + "':$PATH\n" + blocks.at(0)});
+    EXPECT_EQ(ran.exit_code, 0) << document << ran;
+  }
+};
 
-TEST_F(QuickStart, of_the_readme_runs) {
-  const std::string text = read_document("README.md");
-  const Strings blocks = code_blocks(text.substr(text.find("\n## Quick start\n")), "sh");
-  const std::string folder = fs::path(PARDEL_PROGRAM).parent_path().string();
-  const Ran ran = run("sh", {"-c", "set -e; PATH='" + folder + "':$PATH\n" + blocks.at(0)});
-  EXPECT_EQ(ran.exit_code, 0) << ran;
+TEST_F(QuickStart, of_the_readme_and_of_the_manual_run) {
+  run_quick_start_of("README.md");
+  EXPECT_EQ(files(), (Files{"key.poly", "key.vtu"}));
+  run_quick_start_of("docs/manual.md");
   EXPECT_EQ(files(), (Files{"key.1.ele", "key.1.node", "key.1.poly", "key.msh", "key.poly", "key.vtu", "mesh.ele",
                             "mesh.node", "mesh.poly", "mesh.png"}));
 }
