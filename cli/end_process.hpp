@@ -1,4 +1,4 @@
-// Ends the process in the middle of its work.
+// Ends the process in the middle of its work, at a signal or above --max-memory, so that no loop has to ask.
 #pragma once
 
 #include <string_view>

@@ -1,4 +1,4 @@
-// The triangles of other pieces around a piece of a mesh.
+// The triangles of other pieces around a piece of a mesh, and the ranks that share a vertex.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Ranks tell each other whether a step has succeeded.
+// Ranks tell each other whether a step has succeeded, and agree on one error if it has not.
 #pragma once
 
 #include "../ranks.hpp"

@@ -1,4 +1,4 @@
-// The segments that are edges of the triangulation.
+// The segments that are edges of the triangulation. Only the ranks at such an edge know them.
 #pragma once
 
 #include <span>

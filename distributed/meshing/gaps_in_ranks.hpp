@@ -1,4 +1,4 @@
-// The gaps of a domain that all ranks have.
+// The gaps of a domain that all ranks have. Each rank searches its share of the triangles.
 #pragma once
 
 #include <algorithm>

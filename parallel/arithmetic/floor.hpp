@@ -1,4 +1,4 @@
-// The shortest edge that refinement makes.
+// The shortest edge that refinement makes at a place.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The tiles on which the points of a round are inserted.
+// The quadtree on whose leaves the points of a round are inserted if they are dense in some places.
 #pragma once
 
 #include <span>

@@ -1,4 +1,4 @@
-// One attempt to refine a domain around patches.
+// One attempt to refine a domain around patches, and the choice between the meshes with and without them.
 #pragma once
 
 #include <cstdint>

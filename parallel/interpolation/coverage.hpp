@@ -1,4 +1,4 @@
-// Does a field of sizes cover a domain?
+// Does a field of sizes cover all vertices of a domain?
 #pragma once
 
 #include <functional>
