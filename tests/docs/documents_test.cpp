@@ -28,9 +28,9 @@ const fs::path source_root = PARDEL_SOURCE;
 std::vector<fs::path> documents() {
   std::vector<fs::path> found = {"README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md",
                                  "properties/THEORY.md"};
-  for (const auto& entry : fs::directory_iterator(source_root / "docs")) {
-    if (entry.path().extension() == ".md") found.push_back(fs::path("docs") / entry.path().filename());
-  }
+  for (const fs::path folder : {"docs", "docs/decisions"})
+    for (const auto& entry : fs::directory_iterator(source_root / folder))
+      if (entry.path().extension() == ".md") found.push_back(folder / entry.path().filename());
   return found;
 }
 
