@@ -15,7 +15,8 @@ ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)
 WORKLOADS = os.path.join("bench", "workloads")
 BUILD = os.path.join("build", "bench")
 # A commit that changes none of these has the instructions of the commit before it.
-MEASURED = ["core", "parallel", "properties/checker", "properties/domains", "cmake", "CMakeLists.txt", "CMakePresets.json"]
+MEASURED = ["core", "parallel", "distributed", "properties/checker", "properties/domains", "cmake", "CMakeLists.txt",
+            "CMakePresets.json"]
 
 
 def git(*arguments, cwd=None):

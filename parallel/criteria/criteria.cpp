@@ -128,8 +128,7 @@ Point Criteria::split_point(Point q, Point r, Point a, Index region, LocalHints&
   const double r2 = shape.squared[2], twice_area = shape.twice_area;
   auto [dx, dy] = to_circumcentre({rx, ry}, {ax, ay}, twice_area);
   double height = off_centre_height_;
-  if (fills_)
-    height = std::min(height, filling_height(size_bounds(q, r, a, region, hints), twice_area, r2));
+  if (fills_) height = std::min(height, filling_height(size_bounds(q, r, a, region, hints), twice_area, r2));
   if (height < INFINITY) {
     const double offx = 0.5 * rx - height * ry;
     const double offy = 0.5 * ry + height * rx;

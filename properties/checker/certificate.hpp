@@ -39,8 +39,8 @@ struct Certificate {
   std::vector<double> region_caps;  ///< by region: the area cap that was checked; empty without region_caps
   bool valid = false;               ///< true if no violation was found
   bool cancelled = false;  ///< CheckOptions::go_on ended the check: `valid` is false, and violations may be missing
-  /// Of a foreign mesh: what was not compared because the mesh or the domain lacks it, for example "regions of triangles:
-  /// the mesh has none".
+  /// Of a foreign mesh: what was not compared because the mesh or the domain lacks it, for example "regions of
+  /// triangles: the mesh has none".
   std::vector<std::string> not_checked{};
   std::vector<Violation> violations;            ///< sorted by kind; violations of one kind in the order of discovery
   std::vector<std::uint64_t> violation_counts;  ///< by kind; the vector has violation_kinds entries

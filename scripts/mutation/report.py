@@ -24,7 +24,7 @@ def key(row):
 
 def folder(row):
     parts = row["file"].split("/")
-    return "/".join(parts[:2] if parts[0] in ("parallel", "properties") and len(parts) > 2 else parts[:1])
+    return "/".join(parts[:2] if parts[0] in ("parallel", "distributed", "properties") and len(parts) > 2 else parts[:1])
 
 
 def score(rows):

@@ -1,6 +1,6 @@
 // The mutations of a copy of the sources (scripts/mutate). One build contains all mutants. The environment variable
-// PARDEL_MUTATION is the number of the one that is switched on. If PARDEL_MUTATION_TRACE names a folder, the program writes
-// the numbers of the mutants that it evaluated to a file of that folder at its end.
+// PARDEL_MUTATION is the number of the one that is switched on. If PARDEL_MUTATION_TRACE names a folder, the program
+// writes the numbers of the mutants that it evaluated to a file of that folder at its end.
 #pragma once
 
 #include <unistd.h>
@@ -20,7 +20,8 @@ inline constexpr int most_mutants = 100'000;
 class Trace {
  public:
   Trace() {
-    if (const char* folder = std::getenv("PARDEL_MUTATION_TRACE")) file_ = std::string(folder) + '/' + std::to_string(getpid());
+    if (const char* folder = std::getenv("PARDEL_MUTATION_TRACE"))
+      file_ = std::string(folder) + '/' + std::to_string(getpid());
   }
   ~Trace() {
     if (file_.empty()) return;
@@ -99,25 +100,33 @@ constexpr bool and_false(const auto& operand) {
 /// Another operator. Types without the other operator have no mutant.
 template <int id>
 constexpr auto plus(const auto& a, const auto& b) {
-  if constexpr (requires { { a - b } -> std::same_as<decltype(a + b)>; })
+  if constexpr (requires {
+                  { a - b } -> std::same_as<decltype(a + b)>;
+                })
     if (active(id)) return a - b;
   return a + b;
 }
 template <int id>
 constexpr auto minus(const auto& a, const auto& b) {
-  if constexpr (requires { { a + b } -> std::same_as<decltype(a - b)>; })
+  if constexpr (requires {
+                  { a + b } -> std::same_as<decltype(a - b)>;
+                })
     if (active(id)) return a + b;
   return a - b;
 }
 template <int id>
 constexpr auto times(const auto& a, const auto& b) {
-  if constexpr (requires { { a + b } -> std::same_as<decltype(a * b)>; })
+  if constexpr (requires {
+                  { a + b } -> std::same_as<decltype(a * b)>;
+                })
     if (active(id)) return a + b;
   return a * b;
 }
 template <int id>
 constexpr auto divided(const auto& a, const auto& b) {
-  if constexpr (requires { { a * b } -> std::same_as<decltype(a / b)>; })
+  if constexpr (requires {
+                  { a* b } -> std::same_as<decltype(a / b)>;
+                })
     if (active(id)) return a * b;
   return a / b;
 }

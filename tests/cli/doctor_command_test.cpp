@@ -145,8 +145,7 @@ TEST_F(DoctorCommand, names_no_snapping_distance_without_saying_that_it_removes_
   write("plate.poly", "4 2 0 0\n1 0 0\n2 1 0\n3 1 1e-8\n4 0 1e-8\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n");
   const Ran ran = pardel({"doctor", "plate.poly"});
   EXPECT_EQ(ran.exit_code, 0) << ran;
-  EXPECT_TRUE(
-      holds(ran.err, {"--snap 2.2e-08 would close the narrowest, but also remove a part of the domain"}));
+  EXPECT_TRUE(holds(ran.err, {"--snap 2.2e-08 would close the narrowest, but also remove a part of the domain"}));
   EXPECT_EQ(pardel({"doctor", "plate.poly", "--repair", "fixed.poly", "--snap", "2.2e-8"}).exit_code, 3);
 }
 

@@ -209,9 +209,9 @@ void check_regions(const Subject& subject, const Domain& domain, std::span<const
     if (right) return;
     const std::string is =
         given == no_index ? "no region" : "the region attribute " + to_text(mesh.region_attributes[given]);
-    const std::string belongs = seeded.empty() ? "no region"
-                                               : to_text(regions[seeded[0].second].attribute) + ", that of region " +
-                                                     to_text(seeded[0].second);
+    const std::string belongs =
+        seeded.empty() ? "no region"
+                       : to_text(regions[seeded[0].second].attribute) + ", that of region " + to_text(seeded[0].second);
     mine.add(ViolationKind::wrong_region, {subject.names.triangle(static_cast<Index>(t)), given},
              {subject.corner(mesh.triangles[t], 0), subject.corner(mesh.triangles[t], 1),
               subject.corner(mesh.triangles[t], 2)},

@@ -1,6 +1,5 @@
 // No index is allocated twice, and none is lost.
 #include "../../../parallel/concurrency/index_allocator.hpp"
-#include "../../../parallel/concurrency/parallel_arrays.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "../../../parallel/concurrency/parallel_arrays.hpp"
 #include "../samples.hpp"
 
 namespace pardel::engine {
