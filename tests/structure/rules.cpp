@@ -254,7 +254,7 @@ void check_classes(const std::string& file, const SourceFile& source, std::vecto
   for (const Class& each : source.classes) {
     const bool has_reason = std::ranges::any_of(
         long_classes(), [&](const LongClass& known) { return known.file == file && known.name == each.name; });
-    if (has_reason == each.lines > most_lines_of_a_class) continue;
+    if (has_reason == (each.lines > most_lines_of_a_class)) continue;
     found.push_back(file + ":" + std::to_string(each.line) + ": class " + each.name + " has " +
                     std::to_string(each.lines) + " lines" +
                     (has_reason ? " and needs no reason" : ", more than " + std::to_string(most_lines_of_a_class)));
