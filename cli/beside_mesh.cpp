@@ -84,6 +84,17 @@ bool has_more_than_a_boundary(const Mesh& mesh) {
          std::ranges::any_of(mesh.constrained_edges, [](const ConstrainedEdge& edge) { return edge.marker != 1; });
 }
 
+/// True if a point has a marker that no constrained edge at it has.
+bool has_markers_apart(const Mesh& mesh) {
+  std::vector<char> is_of_edge(mesh.point_markers.size(), 0);
+  for (const ConstrainedEdge& edge : mesh.constrained_edges)
+    for (const Index v : {edge.a, edge.b})
+      if (v < is_of_edge.size() && edge.marker == mesh.point_markers[v]) is_of_edge[v] = 1;
+  for (std::size_t v = 0; v < is_of_edge.size(); ++v)
+    if (mesh.point_markers[v] != 0 && is_of_edge[v] == 0) return true;
+  return false;
+}
+
 void add_losses_beside(const Mesh& mesh, const Stores& kept, List& list) {
   if (mesh.attributes_per_point > kept.attributes_of_points)
     list.emplace_back(kept.attributes_of_points == 0 ? "attributes of points" : "attributes of points but the first");
@@ -107,20 +118,15 @@ void note_beside_mesh(const Mesh& mesh, const std::filesystem::path& file, const
     warn(fmt::format("{}: note: not read: {}", file.string(), joined(things)));
 }
 
-std::string losses(const Mesh& mesh, MeshFormat format) {
+std::string losses(const Mesh& mesh, MeshFormat format, PointMarkers from) {
   const Stores kept = stores(format);
   List list;
   if (const std::string_view lost = lost_regions(mesh, kept.regions); !lost.empty()) list.emplace_back(lost);
   if (!kept.markers_of_edges && has_more_than_a_boundary(mesh))
     list.emplace_back("markers of edges and edges inside the domain");
-  if (!kept.markers_of_points && !mesh.point_markers.empty()) list.emplace_back("markers of points");
+  if (!kept.markers_of_points && (from == PointMarkers::file ? !mesh.point_markers.empty() : has_markers_apart(mesh)))
+    list.emplace_back("markers of points");
   add_losses_beside(mesh, kept, list);
-  return joined(list);
-}
-
-std::string losses_beside_mesh(const Mesh& mesh, MeshFormat format) {
-  List list;
-  add_losses_beside(mesh, stores(format), list);
   return joined(list);
 }
 

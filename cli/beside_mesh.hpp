@@ -1,6 +1,7 @@
 // What files carry beside a mesh: notes about what is read, and about what a format cannot store.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -14,11 +15,13 @@ namespace pardel::cli {
 /// there are any. `use` follows the list of fields: ", which the check does not use".
 void note_beside_mesh(const Mesh& mesh, const std::filesystem::path& file, const std::string& use = {});
 
+/// Where the markers of points come from. The mesher gives them to all meshes, most of them from the edges at a point:
+/// of its markers only those are lost that no edge at the point has.
+enum class PointMarkers : std::uint8_t { file, mesher };
+
 /// The parts of a mesh that are not in every format, for example `regions, markers of points, the field "T"`: those
-/// that a file of this format cannot store. Empty if it stores all.
-[[nodiscard]] std::string losses(const Mesh& mesh, MeshFormat format);
-/// The same without regions and without markers of points, which the mesher gives to all meshes.
-[[nodiscard]] std::string losses_beside_mesh(const Mesh& mesh, MeshFormat format);
+/// that a file of this format cannot store. Empty if it stores all. Time O(n) for n points and edges.
+[[nodiscard]] std::string losses(const Mesh& mesh, MeshFormat format, PointMarkers from);
 /// Says on stderr what a file cannot store, if `list` is not empty. `format`: that of standard output.
 void note_losses(const std::string& list, const std::filesystem::path& file, std::optional<MeshFormat> format);
 

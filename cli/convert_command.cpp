@@ -106,8 +106,8 @@ Status convert(const ConvertArguments& arguments, const Mesh& as_read, ProgressB
   print(arguments, bar,
         plural(mesh.points.size(), "vertex", "vertices") + ", " + plural(mesh.triangles.size(), "triangle"));
   note_beside_mesh(mesh, arguments.input);
-  note_losses(losses(mesh, format_of_output(arguments.output, arguments.format.of_stream)), arguments.output,
-              arguments.format.of_stream);
+  const MeshFormat format = format_of_output(arguments.output, arguments.format.of_stream);
+  note_losses(losses(mesh, format, PointMarkers::file), arguments.output, arguments.format.of_stream);
   if (!no_domain->empty() && !arguments.quiet) {
     fmt::print("note    the .poly has no holes and regions, because the boundary of the mesh is no domain:\n{}\n",
                *no_domain);

@@ -170,7 +170,7 @@ Status write_outputs(const MeshArguments& arguments, const Mesh& mesh, const Psl
   for (const auto& output : arguments.outputs) {
     bar.begin("writing " + output.string());
     if (Status written = write_mesh(mesh, pslg, output, arguments.format.for_file(output)); !written) return written;
-    note_losses(losses_beside_mesh(mesh, format_of_output(output, of_stream)), output, of_stream);
+    note_losses(losses(mesh, format_of_output(output, of_stream), PointMarkers::mesher), output, of_stream);
   }
   return Done{};
 }

@@ -143,12 +143,49 @@ TEST_F(BesideMesh, a_refined_mesh_keeps_the_names_and_the_report_lists_them) {
   EXPECT_TRUE(holds(ran.out, {"\nnames   marker 1 \"wall of the tank\", region 2 \"water\"\n"})) << ran;
   EXPECT_TRUE(
       holds(ran.err, {"\"flow\" in triangles, which the refined mesh does not have\n",
-                      "finer.off: note: .off cannot store: the name \"wall of the tank\", the name \"water\"\n"}))
+                      "finer.off: note: .off cannot store: regions, the name \"wall of the tank\", the name \"water\"\n"}))
       << ran;
   EXPECT_TRUE(holds(read("finer.msh"), {"1 1 \"wall of the tank\"\n2 2 \"water\"\n"}));
   const json report = json::parse(read("report.json"));
   EXPECT_EQ(report["names"],
             json::parse(R"([{"marker": 1, "name": "wall of the tank"}, {"region": 2, "name": "water"}])"));
+}
+
+/// The unit square: its points have the markers `of_points`, and there is a segment inside it.
+std::string square_with(const std::string& of_points, const std::string& inner, const std::string& regions) {
+  const std::string m = " " + of_points + "\n";
+  return "6 2 0 1\n1 0 0" + m + "2 1 0" + m + "3 1 1" + m + "4 0 1" + m + "5 0.3 0.5" + m + "6 0.7 0.5" + m +
+         (inner.empty() ? "4 0\n" : "5 0\n") + "1 1 2\n2 2 3\n3 3 4\n4 4 1\n" + inner + "0\n" + regions;
+}
+
+TEST_F(BesideMesh, mesh_names_what_a_format_cannot_store_as_convert_does) {
+  write("inner.poly", square_with("0", "5 5 6\n", ""));
+  write("regions.poly", square_with("0", "", "1\n1 0.5 0.25 2.5 0\n"));
+  write("own_markers.poly", square_with("9", "", ""));
+  const auto notes = [&](const std::string& from, const std::string& to) {
+    const Ran ran = pardel({"mesh", from, "-o", to, "-q"});
+    EXPECT_EQ(ran.exit_code, 0) << ran;
+    return ran.err;
+  };
+  EXPECT_EQ(notes("inner.poly", "y.gr3"),
+            "pardel: y.gr3: note: .gr3 cannot store: markers of edges and edges inside the domain\n");
+  EXPECT_EQ(notes("regions.poly", "y.off"), "pardel: y.off: note: .off cannot store: regions\n");
+  EXPECT_EQ(notes("regions.poly", "y.2dm"),
+            "pardel: y.2dm: note: .2dm cannot store: attributes of regions that are not whole numbers from 1 on\n");
+  EXPECT_EQ(notes("own_markers.poly", "y.msh"), "pardel: y.msh: note: .msh cannot store: markers of points\n");
+  ASSERT_EQ(notes("own_markers.poly", "own.ele"), "");
+  EXPECT_EQ(pardel({"mesh", "--refine", "own.ele", "-o", "y.msh", "-q"}).err,
+            "pardel: y.msh: note: .msh cannot store: markers of points\n");
+}
+
+TEST_F(BesideMesh, mesh_is_silent_where_the_format_stores_all) {
+  write("plain.poly", square_with("0", "", ""));
+  for (const std::string to : {"y.node", "y.vtu", "y.vtk", "y.msh", "y.off", "y.2dm", "y.gr3", "y.inp"})
+    EXPECT_EQ(pardel({"mesh", "plain.poly", "-o", to, "-q"}).err, "") << to;
+  // These markers of points are those of the edges.
+  EXPECT_EQ(pardel({"mesh", "square.poly", "-o", "y.msh", "-q"}).err, "");
+  ASSERT_EQ(pardel({"mesh", "square.poly", "-o", "s.ele", "-q"}).exit_code, 0);
+  EXPECT_EQ(pardel({"mesh", "--refine", "s.ele", "-o", "y.msh", "-q"}).err, "");
 }
 
 TEST_F(BesideMesh, the_first_field_of_single_numbers_has_the_sizes) {
