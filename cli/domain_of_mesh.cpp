@@ -129,6 +129,13 @@ Result<std::vector<Point>> hole_seeds(const Mesh& mesh) {
 
 }  // namespace
 
+Status check_nodes_of_boundary(const Mesh& mesh) {
+  std::vector<Point> points = outline_of(mesh).points;
+  std::ranges::sort(points, {}, [](Point p) { return std::pair(p.x, p.y); });
+  if (std::ranges::adjacent_find(points) == points.end()) return Done{};
+  return with_numbers_of(mesh, {ErrorKind::invalid_input, "two nodes of the boundary are at one place"});
+}
+
 Result<Pslg> domain_of(const Mesh& mesh) {
   Pslg pslg;
   pslg.points.assign(mesh.points.begin(), mesh.points.end());

@@ -198,6 +198,19 @@ TEST_F(ConvertCommand, a_mesh_with_doubled_nodes_is_copied_and_messages_have_the
   EXPECT_TRUE(holds(refined.err, {"Points 2 and 4 are both at (1, 1)"})) << refined;
 }
 
+TEST_F(ConvertCommand, doubled_nodes_are_refused_when_a_mesh_is_refined_also_if_a_poly_lies_beside_it) {
+  write("d.node", "6 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 0\n5 1 1\n6 0 1\n");
+  write("d.ele", "2 3 0\n1 1 2 3\n2 4 5 6\n");
+  for (const bool with_poly : {false, true}) {
+    if (with_poly) write("d.poly", "0 2 0 0\n6 1\n1 1 2 1\n2 2 3 1\n3 3 1 1\n4 4 5 1\n5 5 6 1\n6 6 4 1\n0\n");
+    const Ran refined = pardel({"mesh", "--refine", "d.ele", "-o", "r.off"});
+    EXPECT_EQ(refined.exit_code, 3) << refined;
+    EXPECT_TRUE(holds(refined.err, {"d.ele: Points 1 and 4 are both at (0, 0)", "Points 3 and 5 are both at (1, 1)"}))
+        << refined;
+    EXPECT_FALSE(exists("r.off"));
+  }
+}
+
 /// The tags of nodes in a .msh need not follow one another.
 TEST_F(ConvertCommand, doubled_nodes_of_a_msh_have_their_tags_in_messages) {
   write("tags.msh",
