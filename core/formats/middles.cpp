@@ -1,8 +1,11 @@
 #include "middles.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
+
+#include "../support/shortest.hpp"
 
 namespace pardel::files {
 namespace {
@@ -62,6 +65,16 @@ std::vector<Field> with_middles(std::vector<Field> fields, const Middles& middle
       field.values[of_vertices + i] = middles.mean(field.values, field.components, i);
   }
   return fields;
+}
+
+std::string why_curved(NumberedNode middle, NumberedNode a, NumberedNode b, double unit) {
+  const Point at{std::midpoint(a.at.x, b.at.x), std::midpoint(a.at.y, b.at.y)};
+  const double largest = std::max({std::abs(a.at.x), std::abs(a.at.y), std::abs(b.at.x), std::abs(b.at.y)});
+  const double slack = 1e-9 * std::hypot(b.at.x - a.at.x, b.at.y - a.at.y) + 8 * unit * largest;
+  if (std::abs(middle.at.x - at.x) <= slack && std::abs(middle.at.y - at.y) <= slack) return {};
+  return "the middle node " + std::to_string(middle.number) + " is at " + shortest(middle.at) +
+         ", not in the middle of the edge from node " + std::to_string(a.number) + " to node " +
+         std::to_string(b.number) + ", " + shortest(at) + "; curved edges are not supported";
 }
 
 std::vector<Index> remove_middles(Mesh& mesh, std::vector<char> is_middle) {

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <limits>
 #include <numeric>
+#include <string>
 #include <vector>
 
 #include "../support/mesh_edges.hpp"
@@ -37,6 +40,17 @@ struct Middles {
 
 /// The fields of a mesh with values at the middles, after those at the vertices: the means of those at the ends.
 [[nodiscard]] std::vector<Field> with_middles(std::vector<Field> fields, const Middles& middles);
+
+/// A node of an element.
+struct NumberedNode {
+  std::uint64_t number = 0;  ///< in the file
+  Point at;
+};
+/// Why a triangle or a line of second order is curved: its middle node is not in the middle of the edge from `a` to
+/// `b`. Empty if it is, up to 1e-9 of the edge and 8 units in the last place of the coordinates, which covers numbers
+/// rounded to 16 digits. `unit`: one such unit at 1, that of float if the file has floats.
+[[nodiscard]] std::string why_curved(NumberedNode middle, NumberedNode a, NumberedNode b,
+                                     double unit = std::numeric_limits<double>::epsilon());
 
 /// Removes the points that are only middles: is_middle[v] is not zero, and v is no corner of a triangle and no end of a
 /// constrained edge. Their values go, too. The mesh keeps the numbers of the others, and what it lacks is listed in

@@ -343,7 +343,13 @@ class MshReader {
     }
     if (in_.failed()) return;
     if (type.nodes > type.corners) is_middle_.resize(nodes_.size());
-    for (std::size_t i = type.corners; i < type.nodes; ++i) is_middle_[v[i]] = 1;
+    for (std::size_t i = type.corners; i < type.nodes; ++i) {
+      const auto node = [&](std::size_t k) { return NumberedNode{nodes_.tag(v[k]), nodes_[v[k]]}; };
+      const std::size_t from = i - type.corners;
+      const std::string fault = why_curved(node(i), node(from), node((from + 1) % type.corners));
+      if (!fault.empty()) return in_.fail("element " + std::to_string(element) + ": " + fault);
+      is_middle_[v[i]] = 1;
+    }
     if (type.corners == 3) {
       triangles_.add(element, static_cast<Index>(mesh_.triangles.size()));
       mesh_.triangles.push_back({{v[0], v[1], v[2]}, {no_index, no_index, no_index}});

@@ -21,7 +21,8 @@ struct ReadMesh {
 };
 
 /// Format: `<# of triangles> <nodes per triangle, 3 or 6> <# of attributes>`, then `<triangle #> <nodes> [attributes]`.
-/// The first three nodes are the corners. The first attribute is the attribute of the region.
+/// The first three nodes are the corners; the others are the middles of the edges opposite them. The first attribute is
+/// the attribute of the region.
 void read_elements(TextReader& in, ReadMesh& read) {
   Mesh& mesh = read.mesh;
   in.expect_line("the number of triangles");
@@ -42,9 +43,16 @@ void read_elements(TextReader& in, ReadMesh& read) {
     for (Index& corner : mesh.triangles[t].v) {
       corner = read_point_index(line, "a corner of a triangle", mesh.points.size(), read.base);
     }
-    for (std::int64_t i = 3; i < nodes; ++i) {
+    for (std::size_t i = 0; nodes == 6 && i < 3; ++i) {
       const Index middle = read_point_index(line, "a middle node of a triangle", mesh.points.size(), read.base);
-      if (!line.failed()) std::atomic_ref(read.is_middle[middle]).store(1, std::memory_order_relaxed);
+      if (line.failed()) break;
+      const auto node = [&](Index v) {
+        return NumberedNode{std::uint64_t{v} + static_cast<unsigned>(read.base), mesh.points[v]};
+      };
+      const auto& v = mesh.triangles[t].v;
+      const std::string fault = why_curved(node(middle), node(v[(i + 1) % 3]), node(v[(i + 2) % 3]));
+      if (!fault.empty()) line.fail(fault);
+      std::atomic_ref(read.is_middle[middle]).store(1, std::memory_order_relaxed);
     }
     for (std::size_t k = 0; k < attributes; ++k) {
       const double attribute = line.number("a triangle's attribute");

@@ -156,13 +156,13 @@ class VtuMesh {
         fail(*ends_array, "expected cell " + std::to_string(c) + " to end at " + std::to_string(first + n) + " of " +
                               std::to_string(corners.size()) + " corners, found " + std::to_string(ends[c]));
       } else if (types[c] == vtk_triangle || types[c] == vtk_triangle_of_6) {
-        note_middles(corners_array, corners, first + 3, first + n);
+        note_middles(corners_array, corners, first, 3, n);
         Triangle triangle;
         for (std::size_t i = 0; i < 3; ++i) triangle.v[i] = point_index(corners_array, corners, first + i);
         mesh_.triangles.push_back(triangle);
         cell_of_triangle_.push_back(c);
       } else if (types[c] == vtk_line || types[c] == vtk_line_of_3) {
-        note_middles(corners_array, corners, first + 2, first + n);
+        note_middles(corners_array, corners, first, 2, n);
         const Index a = point_index(corners_array, corners, first);
         mesh_.constrained_edges.push_back({a, point_index(corners_array, corners, first + 1), no_index, 0});
         cell_of_line_.push_back(c);
@@ -171,13 +171,22 @@ class VtuMesh {
     }
   }
 
-  /// The nodes from `begin` to `end` - 1 are middles of edges.
-  void note_middles(const VtuArray* array, const Array<std::int64_t>& corners, std::size_t begin, std::size_t end) {
-    if (begin == end) return;
+  /// Of the n nodes of a cell, which begin at `first`, those after the corners are middles of edges.
+  void note_middles(const VtuArray* array, const Array<std::int64_t>& nodes, std::size_t first, std::size_t corners,
+                    std::size_t n) {
+    if (n == corners) return;
     is_middle_.resize(mesh_.points.size());
-    for (std::size_t i = begin; i < end; ++i) {
-      const Index middle = point_index(array, corners, i);
-      if (!error_) is_middle_[middle] = 1;
+    const bool is_float = required("Points", "")->type == "Float32";
+    const double unit = is_float ? std::numeric_limits<float>::epsilon() : std::numeric_limits<double>::epsilon();
+    const auto node = [&](std::size_t k) {
+      const Index v = point_index(array, nodes, first + k);
+      return error_ ? NumberedNode{} : NumberedNode{v, mesh_.points[v]};
+    };
+    for (std::size_t k = 0; corners + k < n && !error_; ++k) {
+      const NumberedNode middle = node(corners + k), a = node(k), b = node((k + 1) % corners);
+      if (error_) return;
+      if (const std::string fault = why_curved(middle, a, b, unit); !fault.empty()) fail(*array, fault);
+      is_middle_[middle.number] = 1;
     }
   }
 

@@ -113,6 +113,23 @@ TEST_F(BesideMesh, middle_nodes_that_are_left_out_make_a_note) {
             "pardel: square.1.ele: note: not read: the middle nodes of triangles\n");
 }
 
+TEST_F(BesideMesh, a_mesh_with_curved_edges_is_refused_by_all_commands) {
+  write("c.node", "6 2 0 0\n1 0 0\n2 2 0\n3 0 2\n4 1 1\n5 0 1\n6 1 0.25\n");
+  write("c.ele", "1 6 0\n1 1 2 3 4 5 6\n");
+  write("c.poly", "3 2 0 0\n1 0 0\n2 2 0\n3 0 2\n3 0\n1 1 2\n2 2 3\n3 3 1\n0\n");
+  for (const std::vector<std::string>& command :
+       std::vector<std::vector<std::string>>{{"check", "c.poly", "c.ele"},
+                                             {"convert", "c.ele", "o.msh", "--order", "2"},
+                                             {"mesh", "--refine", "c.ele", "-o", "o.msh"}}) {
+    const Ran ran = pardel(command);
+    EXPECT_EQ(ran.exit_code, 3) << ran;
+    EXPECT_TRUE(holds(ran.err, {"c.ele:2: the middle node 6 is at (1, 0.25), not in the middle of the edge from node 1 "
+                                "to node 2, (1, 0); curved edges are not supported\n"}))
+        << ran;
+    EXPECT_FALSE(exists("o.msh"));
+  }
+}
+
 TEST_F(BesideMesh, fields_of_order_2_are_those_of_the_vertices_when_they_are_read) {
   ASSERT_EQ(pardel({"convert", "tank.msh", "first.msh", "--msh-ascii"}).exit_code, 0);
   for (const std::string second : {"second.msh", "second.vtu"}) {
@@ -141,9 +158,9 @@ TEST_F(BesideMesh, a_refined_mesh_keeps_the_names_and_the_report_lists_them) {
                           "--json", "report.json", "--msh-ascii"});
   ASSERT_EQ(ran.exit_code, 0) << ran;
   EXPECT_TRUE(holds(ran.out, {"\nnames   marker 1 \"wall of the tank\", region 2 \"water\"\n"})) << ran;
-  EXPECT_TRUE(
-      holds(ran.err, {"\"flow\" in triangles, which the refined mesh does not have\n",
-                      "finer.off: note: .off cannot store: regions, the name \"wall of the tank\", the name \"water\"\n"}))
+  EXPECT_TRUE(holds(
+      ran.err, {"\"flow\" in triangles, which the refined mesh does not have\n",
+                "finer.off: note: .off cannot store: regions, the name \"wall of the tank\", the name \"water\"\n"}))
       << ran;
   EXPECT_TRUE(holds(read("finer.msh"), {"1 1 \"wall of the tank\"\n2 2 \"water\"\n"}));
   const json report = json::parse(read("report.json"));

@@ -110,6 +110,74 @@ TEST(SecondOrder, middles_between_vertices_leave_values_and_numbers_of_the_verti
   EXPECT_EQ(number_in_file(*mesh, 2), 5U);
 }
 
+/// The files of a triangle of six nodes, whose node in the middle of (0, 0) and (2, 0) is at (1, `y`): a .msh, a .vtu
+/// with points of a type, and a .ele with its .node.
+std::string curved_msh(const std::string& y) {
+  return "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n6\n10 0 0 0\n20 2 0 0\n30 0 2 0\n40 1 " + y +
+         " 0\n50 1 1 0\n60 0 1 0\n$EndNodes\n$Elements\n1\n7 9 0 10 20 30 40 50 60\n$EndElements\n";
+}
+std::string curved_vtu(const std::string& y, const std::string& type = "Float64") {
+  return "<VTKFile type=\"UnstructuredGrid\"><UnstructuredGrid><Piece NumberOfPoints=\"6\" NumberOfCells=\"1\">\n"
+         "<Points><DataArray type=\"" +
+         type + "\" NumberOfComponents=\"3\" format=\"ascii\">0 0 0 2 0 0 0 2 0 1 " + y +
+         " 0 1 1 0 0 1 0</DataArray></Points>\n"
+         "<Cells><DataArray type=\"Int32\" Name=\"connectivity\" format=\"ascii\">0 1 2 3 4 5</DataArray>"
+         "<DataArray type=\"Int32\" Name=\"offsets\" format=\"ascii\">6</DataArray>"
+         "<DataArray type=\"Int32\" Name=\"types\" format=\"ascii\">22</DataArray></Cells>"
+         "</Piece></UnstructuredGrid></VTKFile>";
+}
+Result<Mesh> read_curved_ele(const TemporaryFolder& folder, const std::string& y) {
+  folder.write("c.node", "6 2 0 0\n1 0 0\n2 2 0\n3 0 2\n4 1 1\n5 0 1\n6 1 " + y + "\n");
+  return read_mesh(folder.write("c.ele", "1 6 0\n1 1 2 3 4 5 6\n"));
+}
+
+TEST(SecondOrder, a_middle_node_that_is_not_in_the_middle_of_its_edge_is_refused) {
+  const TemporaryFolder folder;
+  for (const std::string y : {"0.25", "1e-07", "-0.001"}) {
+    const auto expected = [&](const std::string& before, int middle, int a, int b) {
+      return before + "the middle node " + std::to_string(middle) + " is at (1, " + y +
+             "), not in the middle of the edge from node " + std::to_string(a) + " to node " + std::to_string(b) +
+             ", (1, 0); curved edges are not supported";
+    };
+    EXPECT_EQ(message_of(read_mesh(folder.write("c.msh", curved_msh(y))), folder),
+              expected("c.msh:15: element 7: ", 40, 10, 20));
+    EXPECT_EQ(message_of(read_mesh(folder.write("c.vtu", curved_vtu(y))), folder),
+              expected("c.vtu:3: array \"connectivity\": ", 3, 0, 1));
+    EXPECT_EQ(message_of(read_curved_ele(folder, y), folder), expected("c.ele:2: ", 6, 1, 2));
+  }
+}
+
+TEST(SecondOrder, a_line_of_three_nodes_is_straight_too) {
+  const TemporaryFolder folder;
+  std::string text = curved_msh("0");
+  text.replace(text.find("1\n7 9 0"), 2, "2\n5 8 0 10 30 50\n");
+  EXPECT_EQ(message_of(read_mesh(folder.write("l.msh", text)), folder),
+            "l.msh:15: element 5: the middle node 50 is at (1, 1), not in the middle of the edge from node 10 to node "
+            "30, (0, 1); curved edges are not supported");
+}
+
+TEST(SecondOrder, a_middle_node_may_be_rounded_as_the_numbers_of_the_file_are) {
+  const TemporaryFolder folder;
+  for (const std::string y : {"0", "1e-15", "-1e-10"}) {
+    EXPECT_TRUE(read_mesh(folder.write("r.msh", curved_msh(y))).ok()) << y;
+    EXPECT_TRUE(read_mesh(folder.write("r.vtu", curved_vtu(y))).ok()) << y;
+    EXPECT_TRUE(read_curved_ele(folder, y).ok()) << y;
+  }
+  EXPECT_TRUE(read_mesh(folder.write("r.vtu", curved_vtu("1e-7", "Float32"))).ok());
+  EXPECT_FALSE(read_mesh(folder.write("r.vtu", curved_vtu("0.01", "Float32"))).ok());
+}
+
+TEST(SecondOrder, middles_of_short_edges_far_from_the_origin_are_read_back) {
+  const TemporaryFolder folder;
+  Mesh mesh = sample_mesh();
+  for (Point& p : mesh.points) p = {1e7 / 3 + p.x * 1e-8, 1e9 / 7 + p.y * 1e-7};
+  for (const char* name : {"m.msh", "m.vtu", "m.ele"}) {
+    ASSERT_TRUE(write_second_order(mesh, folder / name).ok());
+    const auto read = read_mesh(folder / name);
+    EXPECT_TRUE(read.ok()) << read.error().message;
+  }
+}
+
 TEST(SecondOrder, gmsh_reads_the_file) {
   if (std::string(PARDEL_GMSH).empty()) GTEST_SKIP() << "gmsh is not installed";
   const TemporaryFolder folder;

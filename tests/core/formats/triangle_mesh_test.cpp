@@ -111,8 +111,9 @@ TEST(TriangleFiles, of_second_order_may_have_the_middles_before_the_corners) {
 /// Node 4 is the middle of an edge of the first triangle and a corner of the second one.
 TEST(TriangleFiles, of_second_order_keep_a_middle_that_is_a_corner_elsewhere) {
   const TemporaryFolder folder;
-  folder.write("m.node", "8 2 0 0\n1 0 0\n2 2 0\n3 0 2\n4 1 1\n5 0 1\n6 1 0\n7 2 2\n8 9 9\n");
-  folder.write("m.ele", "2 6 0\n1 1 2 3 4 5 6\n2 4 2 7 5 5 6\n");
+  folder.write("m.node",
+               "11 2 0 0\n1 0 0\n2 2 0\n3 0 2\n4 1 1\n5 0 1\n6 1 0\n7 2 2\n8 9 9\n9 2 1\n10 1.5 1.5\n11 1.5 0.5\n");
+  folder.write("m.ele", "2 6 0\n1 1 2 3 4 5 6\n2 4 2 7 9 10 11\n");
   const auto mesh = read_mesh(folder / "m.ele");
   ASSERT_TRUE(mesh.ok()) << mesh.error().message;
   EXPECT_EQ(std::vector<Point>(mesh->points.begin(), mesh->points.end()),
