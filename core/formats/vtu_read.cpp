@@ -12,6 +12,7 @@
 #include "../neighbours.hpp"
 #include "../support/same_attribute.hpp"
 #include "../support/smallest_angle.hpp"
+#include "equal_points.hpp"
 #include "group_names.hpp"
 #include "mesh_readers.hpp"
 #include "middles.hpp"
@@ -331,15 +332,10 @@ class VtuMesh {
   std::optional<Error> error_;
 };
 
-/// The numbers of the points run through the pieces, unless all pieces have numbers of their own.
-void number_through(std::vector<NumberedMesh>& pieces) {
-  const auto has_numbers = [](const NumberedMesh& piece) { return piece.number.size() == piece.mesh.points.size(); };
-  if (std::ranges::all_of(pieces, has_numbers)) return;
-  std::uint64_t next = 0;
-  for (NumberedMesh& piece : pieces) {
-    piece.number.clear();
-    for (std::size_t i = 0; i < piece.mesh.points.size(); ++i) piece.number.push_back(next++);
-  }
+/// The points of the pieces have numbers, as in the pieces of a .pvtu.
+bool have_numbers(const std::vector<NumberedMesh>& pieces) {
+  return std::ranges::all_of(pieces,
+                             [](const NumberedMesh& piece) { return piece.number.size() == piece.mesh.points.size(); });
 }
 
 Result<NumberedMesh> read_piece(const VtuFile& file, std::size_t piece) {
@@ -363,8 +359,11 @@ Result<Mesh> parse_vtu(std::string_view text, const std::string& name) {
     if (!read) return read.error();
     pieces.push_back(std::move(*read));
   }
-  number_through(pieces);
-  return join_read_pieces(std::move(pieces), name);
+  if (have_numbers(pieces)) return join_read_pieces(std::move(pieces), name);
+  std::vector<std::uint64_t> in_file = number_equal_points(pieces);
+  Result<Mesh> mesh = join_read_pieces(std::move(pieces), name);
+  if (mesh) mesh->numbers.of_points = std::move(in_file);
+  return mesh;
 }
 
 }  // namespace pardel::files

@@ -148,15 +148,32 @@ TEST(VtuNames, are_pairs_of_integers_in_the_field_data) {
                                            "the field data \"volume\"", "the field data \"half\""}));
 }
 
-TEST(VtuPiecesInOneFile, are_one_mesh_whose_points_are_numbered_through) {
+TEST(VtuPiecesInOneFile, are_one_mesh_whose_equal_points_are_joined) {
   const Mesh mesh = read_vtu_text(square_piece(0, in_cells(array_element("Name=\"region\"", "7 0 7"))) +
                                   square_piece(1, in_cells(array_element("Name=\"region\"", "2 0 7"))));
-  EXPECT_EQ(mesh.points.size(), 8U);
+  EXPECT_EQ(mesh.points.size(), 6U);
   ASSERT_EQ(mesh.triangles.size(), 4U);
-  EXPECT_EQ(mesh.triangles[3].v, (std::array<Index, 3>{4, 6, 7}));
+  EXPECT_EQ(mesh.triangles[3].v, (std::array<Index, 3>{1, 5, 2}));
+  EXPECT_EQ(mesh.triangles[3].n[1], 0U) << "across the border";
   EXPECT_EQ(mesh.region_attributes, (Values{2, 7}));
   EXPECT_EQ(mesh.region[2], 0U);
-  EXPECT_EQ(mesh.constrained_edges.at(1), (ConstrainedEdge{4, 5, no_index, 0}));
+  EXPECT_EQ(mesh.constrained_edges.at(1), (ConstrainedEdge{1, 4, no_index, 0}));
+  EXPECT_EQ(number_in_file(mesh, 4), 5U) << "the second point of the second piece";
+}
+
+TEST(VtuPiecesInOneFile, keep_points_that_one_piece_has_twice) {
+  const std::string doubled = replaced(square_piece(0), "1 1 0 0 1 0", "1 0 0 0 1 0");
+  EXPECT_EQ(read_vtu_text(doubled + square_piece(1)).points.size(), 8U) << "three points at (1, 0)";
+  EXPECT_EQ(read_vtu_text(square_piece(0) + square_piece(5)).points.size(), 8U) << "far from each other";
+}
+
+TEST(VtuPiecesInOneFile, keep_equal_points_with_different_markers) {
+  const auto marked = [](int x, const std::string& markers) {
+    return square_piece(
+        x, at_points("<DataArray type=\"Int32\" format=\"ascii\" Name=\"marker\">" + markers + "</DataArray>\n"));
+  };
+  EXPECT_EQ(read_vtu_text(marked(0, "1 2 3 4") + marked(1, "2 5 6 3")).points.size(), 6U);
+  EXPECT_EQ(read_vtu_text(marked(0, "1 2 3 4") + marked(1, "2 5 6 9")).points.size(), 7U);
 }
 
 TEST(VtuPiecesInOneFile, share_the_points_whose_numbers_they_share) {
@@ -175,8 +192,7 @@ TEST(VtuPiecesInOneFile, share_the_points_whose_numbers_they_share) {
 TEST(VtuPiecesInOneFile, may_lack_fields_that_others_have) {
   const Mesh mesh = read_vtu_text(square_piece(0, at_points(array_element("Name=\"T\"", "1 2 3 4"))) + square_piece(1));
   const double none = std::nan("");
-  EXPECT_EQ(mesh.fields.at(0),
-            (Field{"T", Field::Place::points, 1, Array<double>(Values{1, 2, 3, 4, none, none, none, none}), 0}));
+  EXPECT_EQ(mesh.fields.at(0), (Field{"T", Field::Place::points, 1, Array<double>(Values{1, 2, 3, 4, none, none}), 0}));
 }
 
 TEST(VtuPiecesInOneFile, that_are_damaged_are_refused_with_the_line) {
