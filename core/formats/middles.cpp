@@ -69,9 +69,14 @@ std::vector<Field> with_middles(std::vector<Field> fields, const Middles& middle
 
 std::string why_curved(NumberedNode middle, NumberedNode a, NumberedNode b, double unit) {
   const Point at{std::midpoint(a.at.x, b.at.x), std::midpoint(a.at.y, b.at.y)};
+  const Point edge{b.at.x - a.at.x, b.at.y - a.at.y}, off{middle.at.x - at.x, middle.at.y - at.y};
+  const double length = std::hypot(edge.x, edge.y);
   const double largest = std::max({std::abs(a.at.x), std::abs(a.at.y), std::abs(b.at.x), std::abs(b.at.y)});
-  const double slack = 1e-9 * std::hypot(b.at.x - a.at.x, b.at.y - a.at.y) + 8 * unit * largest;
-  if (std::abs(middle.at.x - at.x) <= slack && std::abs(middle.at.y - at.y) <= slack) return {};
+  const double rounding = 8 * unit * largest;
+  const Point along = length > 0 ? Point{edge.x / length, edge.y / length} : Point{1, 0};
+  if (std::abs(off.x * along.x + off.y * along.y) <= 1e-3 * length + rounding &&
+      std::abs(off.x * along.y - off.y * along.x) <= 1e-9 * length + rounding)
+    return {};
   return "the middle node " + std::to_string(middle.number) + " is at " + shortest(middle.at) +
          ", not in the middle of the edge from node " + std::to_string(a.number) + " to node " +
          std::to_string(b.number) + ", " + shortest(at) + "; curved edges are not supported";

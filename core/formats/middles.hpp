@@ -47,8 +47,9 @@ struct NumberedNode {
   Point at;
 };
 /// Why a triangle or a line of second order is curved: its middle node is not in the middle of the edge from `a` to
-/// `b`. Empty if it is, up to 1e-9 of the edge and 8 units in the last place of the coordinates, which covers numbers
-/// rounded to 16 digits. `unit`: one such unit at 1, that of float if the file has floats.
+/// `b`. Empty if it is, up to 1e-9 of the edge across it, 1e-3 along it, and 8 units in the last place of the
+/// coordinates. That covers numbers rounded to 16 digits, and Gmsh, which finds middles of straight lines iteratively.
+/// `unit`: one such unit at 1, that of float if the file has floats.
 [[nodiscard]] std::string why_curved(NumberedNode middle, NumberedNode a, NumberedNode b,
                                      double unit = std::numeric_limits<double>::epsilon());
 

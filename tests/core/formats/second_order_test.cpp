@@ -167,6 +167,16 @@ TEST(SecondOrder, a_middle_node_may_be_rounded_as_the_numbers_of_the_file_are) {
   EXPECT_FALSE(read_mesh(folder.write("r.vtu", curved_vtu("0.01", "Float32"))).ok());
 }
 
+TEST(SecondOrder, a_middle_node_may_be_a_little_off_along_its_edge_as_those_of_gmsh_are) {
+  const TemporaryFolder folder;
+  const auto at = [&](const std::string& x) {
+    return read_mesh(folder.write("a.msh", replaced(curved_msh("0"), "40 1 0", "40 " + x + " 0")));
+  };
+  EXPECT_TRUE(at("1.000003").ok());
+  EXPECT_FALSE(at("1.01").ok());
+  EXPECT_FALSE(at("0.5").ok()) << "at a quarter, as at the tip of a crack";
+}
+
 TEST(SecondOrder, middles_of_short_edges_far_from_the_origin_are_read_back) {
   const TemporaryFolder folder;
   Mesh mesh = sample_mesh();
