@@ -2,8 +2,6 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -155,13 +153,13 @@ void note_and_drop_points_outside(const MeshArguments& arguments, Mesh& mesh, Me
   if (arguments.drop_unused) remove_unused_vertices(mesh);
 }
 
-Result<ExitCode> verdict(const MeshRun& run, const Source& source, const Mesh& mesh) {
+Result<ExitCode> verdict(const MeshRun& run, const Source& source) {
   const bool goal_met = run.report.goal_met();
   if (run.certificate && !run.certificate->valid) warn(run.name + check_message(*run.certificate, goal_met));
   // A mesh that is refined has no gaps in its report.
   if (const auto* domain = std::get_if<ValidPslg>(&source); domain != nullptr && !run.report.gaps.empty())
     warn(gaps_text(run.report.gaps, run.name, *domain));
-  if (!goal_met) warn(run.name + ": " + missed_bounds(run.report, mesh, most_listed, "--max-vertices", "--json"));
+  if (!goal_met) warn(run.name + ": " + missed_bounds(run.exempt, "--max-vertices", "--json"));
   return code_of(run.certificate, goal_met);
 }
 
@@ -180,16 +178,14 @@ void describe(const MeshArguments& arguments, const Pslg& pslg, const Goal& goal
   Stopwatch watch;
   run.name = arguments.input.string();
   count_input(pslg, run);
-  run.goal = goal;
-  const auto has_cap = [](const Region& region) { return std::isfinite(region.max_area); };
-  run.region_caps_unused = !goal.region_caps && std::ranges::any_of(pslg.regions, has_cap);
+  describe_goal(goal, pslg.regions, arguments.refine || arguments.goal.convex_hull, run);
   run.names = meshed.mesh.names;
-  run.hull_by_default = !arguments.refine && !arguments.goal.convex_hull && pslg.segments.empty();
   run.sizes = arguments.goal.sizes;
   run.sources = arguments.goal.sources;
   run.options = arguments.options;
   run.outputs = arguments.outputs;
   run.report = std::move(meshed.report);
+  run.exempt = exempt_triangles(run.report, meshed.mesh);
   run.seconds.triangulate = run.report.triangulate_seconds;
   run.seconds.refine = run.report.refine_seconds;
   run.statistics = statistics(meshed.mesh);
@@ -237,7 +233,7 @@ Result<ExitCode> run(MeshArguments& arguments) {
   bar.finish();
   run.seconds.total = total.seconds();
   if (Status printed = print(arguments, run); !printed) return printed.error();
-  return verdict(run, input->source, meshed->mesh);
+  return verdict(run, input->source);
 }
 
 }  // namespace

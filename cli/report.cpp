@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
@@ -19,18 +20,6 @@
 
 namespace pardel::cli {
 namespace {
-
-/// The numbers of exempt triangles by reason, for example "2 nestled, 1 seditious": either those that are justified, or
-/// the others.
-std::string reasons(const Report& report, bool justified_ones) {
-  std::string list;
-  for (int i = 0; i < exempt_reasons; ++i) {
-    const auto reason = static_cast<ExemptReason>(i);
-    if (justified(reason) != justified_ones || report.count(reason) == 0) continue;
-    list += fmt::format("{}{} {}", list.empty() ? "" : ", ", report.count(reason), pardel::name(reason));
-  }
-  return list;
-}
 
 nlohmann::ordered_json goal_json(const MeshRun& run) {
   // The JSON library writes infinity (no cap) as null.
@@ -188,6 +177,13 @@ void count_input(const Pslg& input, MeshRun& run) {
   run.regions = input.regions.size();
 }
 
+void describe_goal(const Goal& goal, std::span<const Region> regions, bool expects_hull, MeshRun& run) {
+  const auto has_cap = [](const Region& region) { return std::isfinite(region.max_area); };
+  run.goal = goal;
+  run.region_caps_unused = !goal.region_caps && std::ranges::any_of(regions, has_cap);
+  run.hull_by_default = !expects_hull && run.segments == 0;
+}
+
 std::string to_json(const MeshRun& run) {
   const MeshStatistics& mesh = run.statistics;
   const Seconds& s = run.seconds;
@@ -230,56 +226,36 @@ std::string to_json(const MeshRun& run) {
   return json_text(json);
 }
 
-std::string to_text(const MeshRun& run) {
+std::string text_of_mesh(const MeshRun& run) {
   const MeshStatistics& mesh = run.statistics;
-  const Seconds& s = run.seconds;
   std::string text =
       fmt::format("{}: {}, {}, {}, {}\n", run.name, plural(run.points, "point"), plural(run.segments, "segment"),
                   plural(run.holes, "hole"), plural(run.regions, "region"));
   if (run.hull_by_default)
-    text +=
-        "note    the input has no segments, so the domain is the convex hull of its points; --refine refines a mesh\n";
+    text += fmt::format(
+        "note    the input has no segments, so the domain is the convex hull of its points; {} refines a mesh\n",
+        run.ranks ? "'pardel mesh --refine'" : "--refine");
   if (run.region_caps_unused) text += "note    the area caps of the regions are ignored; --regions enables them\n";
   text += fmt::format("mesh    {}, {}, angles {:.2f} to {:.2f} degrees, area {:.6g}\n",
                       plural(mesh.vertices, "vertex", "vertices"), plural(mesh.triangles, "triangle"),
                       mesh.min_angle_deg, mesh.max_angle_deg, mesh.area);
   text += names_text(run.names);
   text += filling_text(run.report, run.options.interior == Interior::fill);
-  if (const std::string list = reasons(run.report, true); !list.empty()) {
+  if (const std::string list = reasons(run.exempt, true); !list.empty())
     text += fmt::format("exempt  {}, each at a small input angle\n", list);
-  }
-  if (const std::string list = reasons(run.report, false); !list.empty()) text += fmt::format("missed  {}\n", list);
+  if (const std::string list = reasons(run.exempt, false); !list.empty()) text += fmt::format("missed  {}\n", list);
   if (run.sweeps_checked) text += fmt::format("sweeps  {}, the mesh was checked after each\n", *run.sweeps_checked);
   if (run.certificate) text += fmt::format("check   {}\n", run.certificate->valid ? "valid" : "NOT VALID");
+  return text;
+}
+
+std::string to_text(const MeshRun& run) {
+  const Seconds& s = run.seconds;
+  std::string text = text_of_mesh(run);
   text += fmt::format("time    {:.3f} s (read {:.3f}, mesh {:.3f}, check {:.3f}, write {:.3f}, statistics {:.3f})\n",
                       s.total, s.read, s.validate + s.triangulate + s.refine, s.check, s.write, s.statistics);
   text += fmt::format("digest  {}\n", to_string(run.digest));
   for (const auto& file : run.outputs) text += fmt::format("wrote   {}\n", fmt::join(written_files(file), ", "));
-  return text;
-}
-
-std::string missed_bounds(const Report& report, const Mesh& mesh, std::size_t most, std::string_view limit,
-                          std::string_view all_in) {
-  if (report.goal_met()) return {};
-  std::string text;
-  if (report.count(ExemptReason::budget) > 0)
-    text = fmt::format("the mesh has as many vertices as {} allows (the budget), so ", limit);
-  text += fmt::format("the goal is missed at some triangles ({}):", reasons(report, false));
-  std::size_t listed = 0, left = 0;
-  for (const Exemption& exemption : report.exempt) {
-    if (justified(exemption.reason)) continue;
-    if (listed == most) {
-      ++left;
-      continue;
-    }
-    ++listed;
-    const auto& v = mesh.triangles[exemption.triangle].v;
-    text += fmt::format("\n  {}: triangle ({}, {}) ({}, {}) ({}, {})", pardel::name(exemption.reason),
-                        mesh.points[v[0]].x, mesh.points[v[0]].y, mesh.points[v[1]].x, mesh.points[v[1]].y,
-                        mesh.points[v[2]].x, mesh.points[v[2]].y);
-  }
-  if (left > 0) text += fmt::format("\n  ... and {} more", left);
-  if (left > 0 && !all_in.empty()) text += fmt::format(" (all in {})", all_in);
   return text;
 }
 

@@ -5,9 +5,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
-#include <string_view>
-#include <utility>
 #include <vector>
 
 #include "../core/digest.hpp"
@@ -16,6 +15,7 @@
 #include "../parallel/warnings.hpp"
 #include "../properties/checker/check.hpp"
 #include "../properties/checker/statistics.hpp"
+#include "exempt_triangles.hpp"
 
 namespace pardel::cli {
 
@@ -49,6 +49,7 @@ struct MeshRun {
   std::filesystem::path sources;    ///< the file of --sources, or empty
   Options options;
   Report report;
+  ExemptTriangles exempt;
   MeshStatistics statistics;
   Digest digest;
   std::optional<Certificate> certificate;       ///< only with --check
@@ -60,16 +61,14 @@ struct MeshRun {
 
 /// Fills in the numbers of points, segments, holes and regions.
 void count_input(const Pslg& input, MeshRun& run);
+/// Fills in the goal, and what it makes of the input. `regions`: those of the input. `expects_hull`: the user has asked
+/// for the convex hull, or refines a mesh. Precondition: the numbers are filled in.
+void describe_goal(const Goal& goal, std::span<const Region> regions, bool expects_hull, MeshRun& run);
 
 [[nodiscard]] std::string to_json(const MeshRun& run);
-/// A summary of a few lines.
+/// The lines of the summary on the input, the mesh and the check. They do not depend on the number of ranks.
+[[nodiscard]] std::string text_of_mesh(const MeshRun& run);
+/// A summary of a few lines: those of text_of_mesh(), the times, the digest and the files.
 [[nodiscard]] std::string to_text(const MeshRun& run);
-
-/// Describes the triangles that miss the goal for a reason that no small input angle justifies: their number by reason,
-/// then the corners of the first `most` of them, then the number of the others. `limit` is the option that limits the
-/// vertices. If `all_in` is not empty, the text names it as the place that lists all of them. Returns an empty text if
-/// there is no such triangle.
-[[nodiscard]] std::string missed_bounds(const Report& report, const Mesh& mesh, std::size_t most,
-                                        std::string_view limit, std::string_view all_in = {});
 
 }  // namespace pardel::cli

@@ -16,6 +16,7 @@
 #include "large_angle.hpp"
 #include "points_outside.hpp"
 #include "renumber.hpp"
+#include "exempt_triangles.hpp"
 #include "report.hpp"
 #include "triangle_files.hpp"
 #include "triangle_input.hpp"
@@ -193,7 +194,7 @@ ExitCode verdict(const TriangleSwitches& switches, const MeshedForAngle& made) {
   }
   const bool failed = !report.goal_met() && !missed_by_request(switches, report);
   if (!report.goal_met() && (failed || !switches.quiet))
-    warn(switches.name + ": " + missed_bounds(report, made.meshed.mesh, most_listed, "the switch S"));
+    warn(switches.name + ": " + missed_bounds(exempt_triangles(report, made.meshed.mesh), "the switch S"));
   return failed || made.limit ? ExitCode::goal_missed : ExitCode::done;
 }
 

@@ -22,6 +22,10 @@ std::vector<std::string> long_options(const CLI::App& command) {
   return names;
 }
 
+bool has_name(const AbsentOption& option, const std::string& name) {
+  return fmt::format(",{},", option.names).find("," + name + ",") != std::string::npos;
+}
+
 /// The message for an argument that the command does not know; empty if there is none. An unknown option comes first,
 /// because its value is then an unknown argument, too.
 std::string unknown_argument(const CLI::App& command, std::span<const AbsentOption> absent) {
@@ -30,7 +34,7 @@ std::string unknown_argument(const CLI::App& command, std::span<const AbsentOpti
   if (option != extras.end()) {
     const std::string name = option->substr(0, option->find('='));
     for (const AbsentOption& other : absent)
-      if (other.command == command.get_name() && other.option == name)
+      if (other.command == command.get_name() && has_name(other, name))
         return fmt::format("there is no option '{}': {}", name, other.why);
     return fmt::format("there is no option '{}'{}", name, suggestion(name, long_options(command)));
   }

@@ -10,7 +10,8 @@ namespace pardel::cli {
 
 /// An option that a command does not have, although the same command of the other program has it (pardel, pardel-mpi).
 struct AbsentOption {
-  std::string_view command, option;
+  std::string_view command;
+  std::string_view names;  ///< of the option, as CLI11 takes them: "-j,--drop-unused"
   std::string_view why;  ///< why not, and what to do instead: the end of a sentence
 };
 

@@ -8,7 +8,7 @@
 
 namespace pardel::mpi {
 
-void print(const Made& made, const char* making, int threads, std::span<const std::filesystem::path> outputs,
+void print(const Made& made, std::string_view lines, const char* making, int threads, std::span<const std::filesystem::path> outputs,
            bool quiet, Job& job) {
   const Digest all = sum_of(made.digest, job.ranks());
   const std::uint64_t least = least_and_most_of(made.least, job.ranks()).least,
@@ -20,8 +20,7 @@ void print(const Made& made, const char* making, int threads, std::span<const st
   constexpr double mib = 0x1p20;
   fmt::print("ranks   {}, with {} threads each; each has read {} input\n", job.count(), threads,
              made.divided ? "a part of the" : "the whole");
-  fmt::print("mesh    {} vertices, {} triangles, {} constrained edges\n", made.points, made.triangles,
-             made.constrained_edges);
+  fmt::print("{}", lines);
   fmt::print("pieces  {} to {} triangles, {:.0f} to {:.0f} MiB of memory\n", least, most,
              static_cast<double>(memory.least) / mib, static_cast<double>(memory.most) / mib);
   if (made.triangles > 0)
@@ -29,7 +28,6 @@ void print(const Made& made, const char* making, int threads, std::span<const st
                margins > 0 ? fmt::format("; ranks held {:.2f} % more triangles than their own",
                                          100 * margins / static_cast<double>(made.triangles))
                            : "");
-  if (made.valid) fmt::print("check   {}\n", *made.valid ? "valid" : "NOT VALID");
   fmt::print("digest  {}\n", to_string(all));
   const std::string check = made.valid ? fmt::format("check {:.3f}, ", made.seconds.check) : "";
   fmt::print("time    {:.3f} s (read {:.3f}, {} {:.3f}, pieces {:.3f}, {}write {:.3f})\n", made.seconds.all,

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <span>
+#include <string_view>
 
 #include "../cli/points_outside.hpp"
 #include "../core/digest.hpp"
@@ -20,7 +21,7 @@ struct Seconds {
 
 /// A mesh, and what this rank has of it.
 struct Made {
-  std::uint64_t points = 0, triangles = 0, constrained_edges = 0, missed = 0;  ///< of the whole mesh
+  std::uint64_t points = 0, triangles = 0, constrained_edges = 0;               ///< of the whole mesh
   std::uint64_t least = UINT64_MAX, most = 0;                                  ///< triangles of a piece
   std::uint64_t points_outside = 0;                                            ///< in the pieces of this rank
   std::uint64_t margin = 0;                                                    ///< MeshPiece::margin of this rank
@@ -33,7 +34,6 @@ struct Made {
     points = piece.points;
     triangles = piece.triangles;
     constrained_edges = piece.constrained_edges;
-    missed = piece.missed;
     least = std::min<std::uint64_t>(least, piece.mesh.triangles.size());
     most = std::max<std::uint64_t>(most, piece.mesh.triangles.size());
     points_outside += cli::points_outside(piece.mesh).count;
@@ -44,9 +44,9 @@ struct Made {
   }
 };
 
-/// Prints on the first rank, unless `quiet`. Collective. `threads`: of each rank; `making`: the name of the longest
-/// step.
-void print(const Made& made, const char* making, int threads, std::span<const std::filesystem::path> outputs,
+/// Prints on the first rank, unless `quiet`. Collective. `lines`: on the mesh; `threads`: of each rank; `making`: the
+/// name of the longest step.
+void print(const Made& made, std::string_view lines, const char* making, int threads, std::span<const std::filesystem::path> outputs,
            bool quiet, Job& job);
 
 }  // namespace pardel::mpi

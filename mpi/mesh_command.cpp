@@ -15,7 +15,9 @@
 #include <vector>
 
 #include "../cli/choice.hpp"
+#include "../cli/exempt_triangles.hpp"
 #include "../cli/findings_text.hpp"
+#include "../cli/gaps_text.hpp"
 #include "../cli/goal_options.hpp"
 #include "../cli/input.hpp"
 #include "../cli/many_triangles.hpp"
@@ -103,7 +105,7 @@ struct Run {
   const Arguments& arguments;
   Job& job;
   MeshRun report{};
-  PartsOfReport parts{};
+  PartsOfReport parts{!arguments.json.empty()};
 };
 
 void add_options(CLI::App& app, Arguments& arguments) {
@@ -179,7 +181,7 @@ Status check_piece(MeshPiece& piece, const Problem& problem, Made& made, Run& ru
 Result<Made, Refusal> finished(MeshPiece& piece, const Pslg& pslg, const Problem* problem, Run& run) {
   Made made;
   made.add(piece);
-  if (!run.arguments.json.empty()) run.parts.add(piece);
+  run.parts.add(piece);
   if (problem != nullptr)
     if (Status checked = check_piece(piece, *problem, made, run); !checked) return Refusal(checked.error());
   const Stopwatch watch;
@@ -262,7 +264,7 @@ Result<Made, Refusal> make_of_parts(PartOfPslg&& input, Run& run) {
   for_writers.holes = input.rest.holes;
   for_writers.regions = input.rest.regions;
   for_writers.first_id = input.points.first_id;
-  run.report.goal = goal_without_sizes(arguments.goal);
+  describe_goal(goal_without_sizes(arguments.goal), input.rest.regions, arguments.goal.convex_hull, run.report);
   Result<MeshPiece> piece = mesh(std::move(input), run.report.goal, arguments.options, job.ranks());
   if (!piece && has_only_points)
     return Refusal(fault_of_points(piece.error(), arguments.input, arguments.options.threads, job));
@@ -282,7 +284,7 @@ Result<Made, Refusal> make_in_turn(const Problem& input, Run& run) {
   const Status ended = mesh_in_pieces(input.domain, input.goal, warning_options(run), run.job.ranks(), arguments.pieces,
                                       [&](MeshPiece&& piece, int number) {
                                         made.add(piece);
-                                        if (!arguments.json.empty()) run.parts.add(piece);
+                                        run.parts.add(piece);
                                         const Stopwatch watch;
                                         written = files.add(piece, number);
                                         made.seconds.write += watch.seconds();
@@ -337,11 +339,17 @@ Status check_arguments(Arguments& arguments, const Ranks& ranks) {
 /// What one rank says about the whole domain.
 void describe(const Problem& input, Run& run) {
   count_input(input.domain.pslg(), run.report);
-  run.report.goal = input.goal;
+  describe_goal(input.goal, input.domain.pslg().regions, run.arguments.goal.convex_hull, run.report);
   run.report.seconds.validate = input.validate_seconds;
   if (!run.job.is_first()) return;
   for (const std::string& line : input.log) warn(line, program);
   run.report.warnings = print_warnings(input.domain, run.arguments.input.string(), program);
+}
+
+/// On the first rank.
+void warn_of_gaps(const ValidPslg& domain, const Run& run) {
+  if (run.parts.gaps().empty() || !run.job.is_first()) return;
+  warn(gaps_text(run.parts.gaps(), run.arguments.input.string(), domain), program);
 }
 
 /// Collective.
@@ -363,13 +371,15 @@ Result<Made, Refusal> make(Run& run) {
   describe(*input, run);
   const double read_seconds = watch.seconds();
   Result<Made, Refusal> made = run.arguments.pieces > 0 ? make_in_turn(*input, run) : make_together(*input, run);
-  if (made) made->seconds.read = read_seconds;
+  if (!made) return made;
+  made->seconds.read = read_seconds;
+  warn_of_gaps(input->domain, run);
   return made;
 }
 
-/// Collective. The first rank writes it.
-Status write_report(const Made& made, const Stopwatch& joining, Run& run) {
-  if (run.arguments.json.empty()) return Done{};
+/// Collective. Fills in the report, and prints its lines.
+void summarize(const Made& made, Run& run) {
+  const Stopwatch joining;
   MeshRun& report = run.report;
   report.name = run.arguments.input.string();
   report.sizes = run.arguments.goal.sizes;
@@ -386,23 +396,28 @@ Status write_report(const Made& made, const Stopwatch& joining, Run& run) {
                     .write = made.seconds.write,
                     .statistics = joining.seconds(),
                     .total = made.seconds.all};
-  return run.job.agree(run.job.is_first() ? write_text(to_json(report), run.arguments.json) : Done{});
+  std::string lines = text_of_mesh(report);
+  lines += fmt::format("edges   {} constrained\n", made.constrained_edges);
+  const bool is_quiet = run.arguments.quiet || is_standard_output(run.arguments.json);
+  print(made, lines, "refine", run.arguments.options.threads, run.arguments.outputs, is_quiet, run.job);
+}
+
+/// Collective. The first rank writes it.
+Status write_report(Run& run) {
+  if (run.arguments.json.empty()) return Done{};
+  return run.job.agree(run.job.is_first() ? write_text(to_json(run.report), run.arguments.json) : Done{});
 }
 
 /// The messages of the first rank, and the exit code of all. Only pardel-mpi checks pieces without joining them, which
 /// may take more memory than there is.
-ExitCode verdict(const Made& made, const Run& run) {
+ExitCode verdict(const Run& run) {
   const std::string name = run.arguments.input.string();
   const auto& certificate = run.report.certificate;
-  const bool goal_met = made.missed == 0;
+  const bool goal_met = run.report.exempt.missed() == 0;
   if (certificate && !certificate->valid && run.job.is_first())
     warn(name + check_message(*certificate, goal_met), program);
-  if (!goal_met && run.job.is_first()) {
-    const bool has_pieces = run.arguments.outputs.front().extension() == ".pvtu";
-    warn(fmt::format("{}: {} triangles miss a bound because of a limit or of rounding; '{} check' lists them", name,
-                     made.missed, has_pieces ? program : "pardel"),
-         program);
-  }
+  if (!goal_met && run.job.is_first())
+    warn(name + ": " + missed_bounds(run.report.exempt, "--max-vertices", "--json"), program);
   return code_of(certificate, goal_met);
 }
 
@@ -421,15 +436,14 @@ Result<ExitCode> run_mesh(Arguments& arguments, Job& job) {
   Result<Made, Refusal> made = make(run);
   if (!made) return job.is_first() ? refused(made.error(), arguments.input, arguments.json) : made.error().error;
   made->seconds.all = watch.seconds();
-  const bool is_quiet = arguments.quiet || is_standard_output(arguments.json);
-  print(*made, "refine", arguments.options.threads, arguments.outputs, is_quiet, job);
   run.report.points_outside = sum_of(made->points_outside, job.ranks());
+  summarize(*made, run);
   if (const std::string note =
           note_about({run.report.points_outside}, true, "'pardel convert --drop-unused' writes the mesh without them");
       !note.empty() && job.is_first())
     warn(arguments.input.string() + ": " + note, program);
-  if (Status reported = write_report(*made, Stopwatch(), run); !reported) return reported.error();
-  return verdict(*made, run);
+  if (Status reported = write_report(run); !reported) return reported.error();
+  return verdict(run);
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "../core/support/kept_file.hpp"
 #include "../core/support/output_file.hpp"
 #include "../core/support/this_machine.hpp"
+#include "absent_options.hpp"
 
 namespace pardel::mpi {
 namespace {
@@ -43,11 +44,21 @@ Status check_file(const fs::path& file) {
   return cli::check_folder(file);
 }
 
+/// Why ranks do not write an output that 'pardel mesh' writes; the end of a message. Empty for an unknown suffix.
+std::string why_not_written(const fs::path& output) {
+  if (is_standard_output(output)) return fmt::format(": {}", no_standard_output);
+  if (!mesh_format(output)) return {};
+  return fmt::format(
+      ": a {} has no pieces, and no rank has the whole mesh; write OUT.pvtu, and then use 'pardel convert OUT.pvtu {}'",
+      output.extension().string(), output.string());
+}
+
 Status check_output(const fs::path& output) {
   const std::string name = output.string();
   const bool is_pvtu = output.extension() == ".pvtu", is_msh = output.extension() == ".msh";
   if (!is_pvtu && !is_msh && !is_of_triangle(output))
-    return Error{ErrorKind::usage, fmt::format("the output {} must end in .pvtu, .msh, .node or .ele", name)};
+    return Error{ErrorKind::usage, fmt::format("the output {} must end in .pvtu, .msh, .node or .ele{}", name,
+                                               why_not_written(output))};
   if (is_pvtu && behind_links(output).filename().string().find_first_of("<>&\"") != std::string::npos)
     return Error{ErrorKind::usage, fmt::format("the name of the output {} must not contain <, >, & or \"", name)};
   if (std::error_code ignored; is_msh && fs::exists(output, ignored))

@@ -46,14 +46,18 @@ std::vector<T> largest_of_all(const std::vector<T>& list, Ranks& ranks) {
 void PartsOfReport::add(const MeshPiece& piece) {
   ++pieces_;
   statistics_ = together(statistics_, statistics(piece.mesh));
-  std::vector<Exemption> exempt = std::exchange(report_.exempt, {});
+  exempt_.add(exempt_triangles(piece.report, piece.mesh, piece.first_triangle));
+  if (has_lists_) keep_list(piece);
+  report_ = piece.report;
+  report_.exempt = {};
+}
+
+void PartsOfReport::keep_list(const MeshPiece& piece) {
   for (Exemption exemption : piece.report.exempt) {
     const std::uint64_t number = piece.first_triangle + exemption.triangle;
     exemption.triangle = number < no_index ? static_cast<Index>(number) : no_index;
-    exempt.push_back(exemption);
+    list_.push_back(exemption);
   }
-  report_ = piece.report;
-  report_.exempt = std::move(exempt);
 }
 
 /// The longest task of a sweep, and the threads of cells, are known to the ranks that did them.
@@ -67,10 +71,23 @@ void PartsOfReport::join_tiling(Ranks& ranks) {
     tiling.sweeps[i].largest_task = static_cast<decltype(Sweep::largest_task)>(tasks[i]);
 }
 
-void PartsOfReport::join(const Made& made, cli::MeshRun& run, Ranks& ranks) {
+void PartsOfReport::join_lists(Ranks& ranks) {
   join_tiling(ranks);
-  report_.exempt = all_on_first(std::move(report_.exempt), ranks);
+  report_.exempt = all_on_first(std::move(list_), ranks);
   std::ranges::sort(report_.exempt, {}, &Exemption::triangle);
+}
+
+/// The numbers are known to all ranks, because the exit status depends on them; the first rank lists triangles.
+cli::ExemptTriangles PartsOfReport::join_exempt(Ranks& ranks) {
+  cli::ExemptTriangles all;
+  for (const auto& counts : concatenated(lists_of_all(std::vector{exempt_.counts}, ranks))) all.add({counts, {}});
+  all.add({{}, all_on_first(std::move(exempt_.first), ranks)});
+  return all;
+}
+
+void PartsOfReport::join(const Made& made, cli::MeshRun& run, Ranks& ranks) {
+  if (has_lists_) join_lists(ranks);
+  run.exempt = join_exempt(ranks);
   run.report = std::move(report_);
   run.ranks = cli::RanksOfRun{.triangles = all_on_first(std::vector{statistics_.triangles}, ranks),
                               .peak_memory = all_on_first(std::vector{cli::peak_memory()}, ranks),

@@ -1,8 +1,11 @@
 #include "triangulate_command.hpp"
 
+#include <fmt/core.h>
+
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -95,7 +98,9 @@ Result<ExitCode> run_triangulate(const TriangulateArguments& arguments, Job& job
     if (Status written = write_pieces(*piece, {}, output, msh, job); !written) return written.error();
   made.seconds.write = writing.seconds();
   made.seconds.all = watch.seconds();
-  print(made, "triangulate", threads, arguments.outputs, arguments.quiet, job);
+  const std::string lines = fmt::format("mesh    {} vertices, {} triangles, {} constrained edges\n", made.points,
+                                        made.triangles, made.constrained_edges);
+  print(made, lines, "triangulate", threads, arguments.outputs, arguments.quiet, job);
   return ExitCode::done;
 }
 
