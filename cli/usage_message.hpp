@@ -12,7 +12,7 @@ namespace pardel::cli {
 struct AbsentOption {
   std::string_view command;
   std::string_view names;  ///< of the option, as CLI11 takes them: "-j,--drop-unused"
-  std::string_view why;  ///< why not, and what to do instead: the end of a sentence
+  std::string_view why;    ///< why not, and what to do instead: the end of a sentence
 };
 
 /// One line that names the command, the mistake and the place of the help. Of an option of the other program it says

@@ -8,8 +8,8 @@
 
 namespace pardel::mpi {
 
-void print(const Made& made, std::string_view lines, const char* making, int threads, std::span<const std::filesystem::path> outputs,
-           bool quiet, Job& job) {
+void print(const Made& made, std::string_view lines, const char* making, int threads,
+           std::span<const std::filesystem::path> outputs, bool quiet, Job& job) {
   const Digest all = sum_of(made.digest, job.ranks());
   const std::uint64_t least = least_and_most_of(made.least, job.ranks()).least,
                       most = least_and_most_of(made.most, job.ranks()).most;

@@ -21,11 +21,11 @@ struct Seconds {
 
 /// A mesh, and what this rank has of it.
 struct Made {
-  std::uint64_t points = 0, triangles = 0, constrained_edges = 0;               ///< of the whole mesh
-  std::uint64_t least = UINT64_MAX, most = 0;                                  ///< triangles of a piece
-  std::uint64_t points_outside = 0;                                            ///< in the pieces of this rank
-  std::uint64_t margin = 0;                                                    ///< MeshPiece::margin of this rank
-  Digest digest;                                                               ///< of the pieces of this rank
+  std::uint64_t points = 0, triangles = 0, constrained_edges = 0;  ///< of the whole mesh
+  std::uint64_t least = UINT64_MAX, most = 0;                      ///< triangles of a piece
+  std::uint64_t points_outside = 0;                                ///< in the pieces of this rank
+  std::uint64_t margin = 0;                                        ///< MeshPiece::margin of this rank
+  Digest digest;                                                   ///< of the pieces of this rank
   Seconds seconds;
   bool divided = false;       ///< each rank has read a part of the input
   std::optional<bool> valid;  ///< what the check has found; without a value: there was none
@@ -46,7 +46,7 @@ struct Made {
 
 /// Prints on the first rank, unless `quiet`. Collective. `lines`: on the mesh; `threads`: of each rank; `making`: the
 /// name of the longest step.
-void print(const Made& made, std::string_view lines, const char* making, int threads, std::span<const std::filesystem::path> outputs,
-           bool quiet, Job& job);
+void print(const Made& made, std::string_view lines, const char* making, int threads,
+           std::span<const std::filesystem::path> outputs, bool quiet, Job& job);
 
 }  // namespace pardel::mpi

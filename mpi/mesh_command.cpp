@@ -417,7 +417,7 @@ ExitCode verdict(const Run& run) {
   if (certificate && !certificate->valid && run.job.is_first())
     warn(name + check_message(*certificate, goal_met), program);
   if (!goal_met && run.job.is_first())
-    warn(name + ": " + missed_bounds(run.report.exempt, "--max-vertices", "--json"), program);
+    warn(name + ": " + missed_bounds(run.report.exempt, "one rank", "--json"), program);
   return code_of(certificate, goal_met);
 }
 

@@ -49,7 +49,7 @@ std::string why_not_written(const fs::path& output) {
   if (is_standard_output(output)) return fmt::format(": {}", no_standard_output);
   if (!mesh_format(output)) return {};
   return fmt::format(
-      ": a {} has no pieces, and no rank has the whole mesh; write OUT.pvtu, and then use 'pardel convert OUT.pvtu {}'",
+      ": a {} holds the whole mesh, which no rank has; write OUT.pvtu, and then use 'pardel convert OUT.pvtu {}'",
       output.extension().string(), output.string());
 }
 
@@ -57,8 +57,8 @@ Status check_output(const fs::path& output) {
   const std::string name = output.string();
   const bool is_pvtu = output.extension() == ".pvtu", is_msh = output.extension() == ".msh";
   if (!is_pvtu && !is_msh && !is_of_triangle(output))
-    return Error{ErrorKind::usage, fmt::format("the output {} must end in .pvtu, .msh, .node or .ele{}", name,
-                                               why_not_written(output))};
+    return Error{ErrorKind::usage,
+                 fmt::format("the output {} must end in .pvtu, .msh, .node or .ele{}", name, why_not_written(output))};
   if (is_pvtu && behind_links(output).filename().string().find_first_of("<>&\"") != std::string::npos)
     return Error{ErrorKind::usage, fmt::format("the name of the output {} must not contain <, >, & or \"", name)};
   if (std::error_code ignored; is_msh && fs::exists(output, ignored))

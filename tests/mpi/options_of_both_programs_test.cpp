@@ -106,6 +106,28 @@ TEST_F(BothPrograms, say_why_they_lack_an_option_of_the_other_one) {
     }
 }
 
+TEST_F(BothPrograms, say_why_ranks_lack_an_option_that_is_given_by_its_letter) {
+  const Ran ran = on_ranks(1, {"mesh", "pipe.poly", "-o", "out.pvtu", "-j"});
+  EXPECT_EQ(ran.exit_code, 2) << ran;
+  EXPECT_TRUE(holds(ran.err, {"pardel-mpi mesh: there is no option '-j': the numbers of vertices in pieces begin",
+                              "'pardel convert --drop-unused'"}))
+      << ran;
+}
+
+TEST_F(BothPrograms, say_why_ranks_do_not_write_an_output_of_one_process) {
+  for (const auto& [output, why] :
+       {std::pair{"out.2dm",
+                  ": a .2dm holds the whole mesh, which no rank has; write OUT.pvtu, and then use 'pardel "
+                  "convert OUT.pvtu out.2dm'"},
+        {"-", ": the pieces of a mesh do not fit into standard output; write OUT.pvtu, and then use 'pardel convert'"},
+        {"out.unknown", "\n"}}) {
+    const Ran ran = on_ranks(2, {"mesh", "pipe.poly", "-o", output});
+    EXPECT_EQ(ran.exit_code, 2) << ran;
+    EXPECT_TRUE(holds(ran.err, {std::string("the output ") + output + " must end in .pvtu, .msh, .node or .ele" + why}))
+        << ran;
+  }
+}
+
 TEST_F(BothPrograms, say_at_the_top_of_the_help_that_their_default_interiors_differ) {
   const std::string help = on_ranks(1, {"mesh", "--help"}).out;
   const std::size_t said = help.find("by default that of 'pardel mesh --interior refine'");
@@ -257,6 +279,105 @@ TEST_F(BothPrograms, say_that_a_mesh_that_misses_bounds_is_right_otherwise) {
     EXPECT_EQ(ran.exit_code, 4) << ran;
     EXPECT_TRUE(holds(ran.err, {"pipe.poly: the check found missed bounds only"})) << ran;
     EXPECT_TRUE(holds(ran.out, {"check   NOT VALID"})) << ran;
+  }
+}
+
+/// Without the lines on times, memory, files and ranks.
+std::vector<std::string> summary(const Ran& ran) {
+  static const std::regex of_run("(time|wrote|output|ranks|edges|pieces|memory) .*");
+  std::vector<std::string> lines = testing::lines_of(ran.out);
+  std::erase_if(lines, [](const std::string& line) { return std::regex_match(line, of_run); });
+  return lines;
+}
+
+/// The messages without the name of the program and without those of mpirun, sorted: the pieces of two ranks list
+/// triangles in another order than the mesh of one process.
+std::vector<std::string> messages(const Ran& ran) {
+  static const std::regex message(
+      "(?:pardel|pardel-mpi): (.*)|(  .*: triangle .*|  [.]{3} .*|  The distance .*|--repair .*)");
+  std::vector<std::string> found;
+  for (const std::string& line : testing::lines_of(ran.err))
+    if (std::smatch match; std::regex_match(line, match, message)) found.push_back(match[1].str() + match[2].str());
+  std::ranges::sort(found);
+  return found;
+}
+
+TEST_F(BothPrograms, print_the_same_summary_and_the_same_messages) {
+  EXPECT_TRUE(write_poly(domains::regions(), folder_ / "work" / "regions.poly"));
+  write("caps.poly", "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n1\n1 0.5 0.5 7 0.01\n");
+  write("kept.poly", "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n4 1\n1 1 2 1\n2 2 3 2\n3 3 4 2\n4 4 1 2\n0\n");
+  write("gap.poly", "5 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n5 0.5 1e-13\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n");
+  struct Case {
+    std::vector<std::string> arguments;
+    int exit_code;
+    const char* line;  ///< one that both print
+  };
+  for (const auto& [arguments, exit_code, line] : std::vector<Case>{
+           {{"pipe.poly", "--max-area", "1e-3", "--check"}, 0, "check   valid"},
+           {{"pipe.poly", "--max-area", "1e-3", "--interior", "fill"}, 0, "laid    "},
+           {{"wedge.poly", "--min-angle", "30", "--max-area", "5e-4", "--triangles-per-tile", "100"}, 0, "exempt  "},
+           {{"regions.poly", "--max-area", "0.05"}, 0, "degrees, area "},
+           {{"caps.poly"}, 0, "note    the area caps of the regions are ignored"},
+           {{"caps.poly", "--regions"}, 0, "mesh    "},
+           {{"kept.poly", "--max-area", "0.01", "--keep", "1"}, 4, "missed  "},
+           {{"gap.poly"}, 4, "missed  1 min_edge"}})
+    for (const char* reading : {"whole", "parts"}) {
+      SCOPED_TRACE(arguments.front() + " " + reading);
+      const bool is_filled = std::ranges::find(arguments, "fill") != arguments.end();
+      const bool is_divided = reading == std::string("parts");
+      // Ranks that have read parts do not look for gaps.
+      if (is_divided && (is_filled || arguments.front() == "gap.poly")) continue;
+      std::vector<std::string> all = arguments;
+      all.insert(all.begin(), "mesh");
+      if (!is_filled) all.insert(all.end(), {"--interior", "refine"});
+      all.insert(all.end(), {"-o", "out.node"});
+      const Ran one = pardel(all);
+      all.insert(all.end(), {"--read", reading});
+      const Ran ranks = on_ranks(2, all);
+      EXPECT_EQ(one.exit_code, exit_code) << one;
+      EXPECT_EQ(ranks.exit_code, exit_code) << ranks;
+      EXPECT_TRUE(holds(one.out, {line})) << one;
+      EXPECT_EQ(summary(ranks), summary(one));
+      EXPECT_EQ(messages(ranks), messages(one));
+    }
+}
+
+TEST_F(BothPrograms, warn_of_the_same_gaps) {
+  write("gap.poly", "5 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n5 0.5 1e-13\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n");
+  const Ran ran = on_ranks(2, {"mesh", "gap.poly", "-o", "out.pvtu"});
+  const std::string warning = "pardel-mpi: gap.poly: warning: 1 gap is much narrower than the segments around";
+  EXPECT_TRUE(holds(ran.err, {warning, "\n--repair with --snap 2.2e-13 closes the narrowest"})) << ran;
+  EXPECT_EQ(ran.err.find(warning, ran.err.find(warning) + 1), std::string::npos) << "one rank warns\n" << ran;
+}
+
+/// Which ones are listed depends on the order of the triangles.
+TEST_F(BothPrograms, count_the_triangles_that_miss_a_bound_by_reason_and_list_the_first_ten) {
+  const std::vector<std::string> arguments = {"mesh", "pipe.poly", "--max-area", "1e-3", "--min-edge", "0.05"};
+  std::vector<std::vector<std::string>> said;
+  for (const int ranks : {0, 2}) {
+    std::vector<std::string> all = arguments;
+    all.insert(all.end(), {"--interior", "refine", "-o", ranks == 0 ? "out.vtu" : "out.pvtu"});
+    const Ran ran = ranks == 0 ? pardel(all) : on_ranks(ranks, all);
+    EXPECT_EQ(ran.exit_code, 4) << ran;
+    std::vector<std::string> lines = messages(ran);
+    EXPECT_EQ(std::erase_if(lines, [](const std::string& line) { return line.starts_with("  min_edge: "); }), 10U);
+    EXPECT_EQ(lines.size(), 2U) << ran;
+    EXPECT_TRUE(holds(ran.err, {"pipe.poly: the goal is missed at some triangles (", " min_edge):\n", "  ... and ",
+                                " more (all in --json)\n"}))
+        << ran;
+    EXPECT_TRUE(exists(ranks == 0 ? "out.vtu" : "out.pvtu"));
+    said.push_back(lines);
+  }
+  EXPECT_EQ(said[0], said[1]);
+}
+
+TEST_F(BothPrograms, say_that_points_without_segments_have_their_convex_hull_as_domain) {
+  write("points.node", "5 2 0 0\n1 0 0\n2 1 0\n3 1.1 1\n4 0 1\n5 0.3 0.4\n");
+  const char* note = "note    the input has no segments, so the domain is the convex hull of its points; ";
+  EXPECT_TRUE(holds(pardel({"mesh", "points.node", "-o", "out.vtu"}).out, {std::string(note) + "--refine refines"}));
+  for (const char* reading : {"whole", "parts"}) {
+    const Ran ran = on_ranks(2, {"mesh", "points.node", "-o", "out.pvtu", "--read", reading});
+    EXPECT_TRUE(holds(ran.out, {std::string(note) + "'pardel mesh --refine' refines a mesh\n"})) << ran;
   }
 }
 

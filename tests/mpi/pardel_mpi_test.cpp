@@ -495,16 +495,6 @@ TEST_F(PardelMpi, has_one_message_for_an_error_of_all_ranks) {
   EXPECT_EQ(files(), Files{"pipe.poly"});
 }
 
-TEST_F(PardelMpi, says_how_many_triangles_miss_a_bound) {
-  const Ran ran = on_ranks(2, {"mesh", "pipe.poly", "-o", "out.pvtu", "--max-area", "1e-3", "--min-edge", "0.1"});
-  EXPECT_EQ(ran.exit_code, 4) << ran;
-  EXPECT_TRUE(holds(ran.err, {"triangles miss a bound", "'pardel-mpi check' lists them"})) << ran;
-  EXPECT_TRUE(exists("out.pvtu"));
-  const Ran other = on_ranks(2, {"mesh", "pipe.poly", "-o", "out.node", "--max-area", "1e-3", "--min-edge", "0.1"});
-  EXPECT_EQ(other.exit_code, 4) << other;
-  EXPECT_TRUE(holds(other.err, {"'pardel check' lists them"})) << other;
-}
-
 TEST_F(PardelMpi, writes_the_same_arrays_for_a_rank_without_triangles) {
   EXPECT_TRUE(write_poly(domains::regions(), folder_ / "work" / "regions.poly"));
   const Ran ran = on_ranks(3, {"mesh", "regions.poly", "-o", "out.pvtu"});
