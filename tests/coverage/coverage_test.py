@@ -50,7 +50,8 @@ class Coverage(unittest.TestCase):
         self.assertEqual(rows[:3], [("core, all", 8, 50, 4, 75), ("core", 4, 75, 4, 75), ("core/formats", 4, 25, 0, 100)])
 
     def test_a_floor_that_is_not_met_is_named(self):
-        good = lines("core/a.cpp", 95, 5, 10, 9) + lines("parallel/arithmetic/p.hpp", 10) + lines("properties/checker/c.cpp", 1)
+        good = lines("core/a.cpp", 95, 5, 10, 9) + lines("parallel/arithmetic/p.hpp", 10) + \
+            lines("distributed/d.cpp", 1) + lines("properties/checker/c.cpp", 1)
         self.assertEqual(coverage.below_floors(good), [])
         self.assertEqual(coverage.below_floors(good + lines("core/b.cpp", 1, 1)),
                          ["core: 94.12 % of the lines, at least 95 % are required"])
