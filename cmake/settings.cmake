@@ -52,9 +52,11 @@ function(pardel_compile_as_engine library)
   target_compile_options(${library} PRIVATE $<IF:$<CXX_COMPILER_ID:GNU>,-fno-tree-slp-vectorize,-fno-slp-vectorize>)
 endfunction()
 
-# The rooms that a regular expression names are compiled as one source each. In a Release build the others are not:
-# sources compiled together are inlined differently, and the gate (bench/gate) counted 9 % more instructions.
-function(pardel_compile_rooms_together library rooms)
+# pardel_compile_rooms_together(LIBRARY ROOMS...): these rooms are compiled as one source each. In a Release build the
+# others are not: sources compiled together are inlined differently, and the gate (bench/gate) counted 9 % more
+# instructions.
+function(pardel_compile_rooms_together library)
+  list(JOIN ARGN "|" rooms)
   set_target_properties(${library} PROPERTIES UNITY_BUILD_MODE GROUP)
   if(NOT CMAKE_BUILD_TYPE STREQUAL "Release")
     set(rooms "[a-z_]+")

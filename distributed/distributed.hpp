@@ -100,7 +100,7 @@ struct MeshPiece {
 /// Makes the mesh of a domain that no rank has as a whole: that of mesh() for the domain, with the same numbers.
 /// Collective; all ranks pass the same holes and regions. The points are triangulated as by triangulate(). Each rank
 /// gets the segments at its points. Those that are no edges of this triangulation are inserted by all ranks. One rank
-/// refines the coarse levels, in a submesh of the mesh: the triangles that are long compared with the tiles, and some
+/// refines the coarse levels, in a gathered submesh: the triangles that are long compared with the tiles, and some
 /// around them. Then the triangles go to the ranks that refine their tiles.
 ///
 /// Memory of a rank: its share of the mesh and of the segments, a margin around it, the segments that cross triangles

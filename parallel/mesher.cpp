@@ -11,6 +11,7 @@
 #include "concurrency/parallel_for.hpp"
 #include "conversion/domain_triangulation.hpp"
 #include "conversion/guarded.hpp"
+#include "conversion/hairlines_outside.hpp"
 #include "conversion/import_mesh.hpp"
 #include "conversion/locate_regions.hpp"
 #include "criteria/criteria.hpp"
@@ -208,7 +209,10 @@ Result<Meshed> refine_mesh(const Mesh& coarse, std::span<const double> max_areas
   const Criteria criteria(safe, placement_for(goal, options, true), {}, area_cap);
   auto exempt = exemptions_if_met(domain->triangulation, domain->segments, criteria, ExactGoal(safe, area_cap), options,
                                   progress.threads());
-  if (exempt) result.report.exempt = std::move(*exempt);
+  if (exempt)
+    result.report.exempt = std::move(*exempt);
+  else
+    keep_clear(hairlines_outside(domain->triangulation, progress.threads()), domain->triangulation, domain->segments);
   Result<Mesh> mesh =
       exempt ? to_mesh(std::move(*domain), std::move(input), progress.threads())
              : refine_domain(std::move(*domain), criteria, std::move(input), options, progress, result.report);

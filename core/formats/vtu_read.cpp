@@ -108,7 +108,9 @@ class VtuMesh {
 
   void read_points() {
     if (points() > max_points) error_ = file_.error_at(0, "the piece announces more points than a mesh can hold");
-    const auto xyz = values<double>(required("Points", ""), 3 * points());
+    const VtuArray* array = required("Points", "");
+    const auto xyz = values<double>(array, 3 * points());
+    if (array != nullptr && array->type == "Float32") unit_of_points_ = std::numeric_limits<float>::epsilon();
     mesh_.points.resize_uninitialised(xyz.size() / 3);
 #pragma omp parallel for schedule(static) if (mesh_.points.size() > 100'000)
     for (std::size_t i = 0; i < mesh_.points.size(); ++i) mesh_.points[i] = {xyz[3 * i], xyz[3 * i + 1]};
@@ -177,8 +179,6 @@ class VtuMesh {
                     std::size_t n) {
     if (n == corners) return;
     is_middle_.resize(mesh_.points.size());
-    const bool is_float = required("Points", "")->type == "Float32";
-    const double unit = is_float ? std::numeric_limits<float>::epsilon() : std::numeric_limits<double>::epsilon();
     const auto node = [&](std::size_t k) {
       const Index v = point_index(array, nodes, first + k);
       return error_ ? NumberedNode{} : NumberedNode{v, mesh_.points[v]};
@@ -186,7 +186,7 @@ class VtuMesh {
     for (std::size_t k = 0; corners + k < n && !error_; ++k) {
       const NumberedNode middle = node(corners + k), a = node(k), b = node((k + 1) % corners);
       if (error_) return;
-      if (const std::string fault = why_curved(middle, a, b, unit); !fault.empty()) fail(*array, fault);
+      if (const std::string fault = why_curved(middle, a, b, unit_of_points_); !fault.empty()) fail(*array, fault);
       is_middle_[middle.number] = 1;
     }
   }
@@ -327,6 +327,7 @@ class VtuMesh {
   std::size_t leading_triangles_ = 0;          ///< their cells are the first cells
   std::vector<std::size_t> cell_of_triangle_;  ///< of the other triangles
   std::vector<std::size_t> cell_of_line_;
+  double unit_of_points_ = std::numeric_limits<double>::epsilon();  ///< in the last place of a coordinate of 1
   std::vector<char> is_middle_;  ///< per point: 1 for the middle of an edge; empty if there are none
   std::vector<Index> kept_;      ///< the result of remove_middles(); empty if there were none
   std::optional<Error> error_;

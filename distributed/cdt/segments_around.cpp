@@ -154,7 +154,7 @@ void SegmentsAround::keep_clear(std::vector<Hairline> all) {
     here.push_back(line);
   }
   for (const Hairline& line : concatenated(lists_of_all(here, ranks_)))
-    engine::keep_clear(line, index_of(line.tip), segment_between(index_of(line.a), index_of(line.b), domain_segments_),
+    engine::keep_clear(line, index_of(line.tip), domain_segments_.segment_between(index_of(line.a), index_of(line.b)),
                        domain_segments_, points);
 }
 

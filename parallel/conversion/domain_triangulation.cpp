@@ -34,16 +34,6 @@ std::vector<FlatTriangle> flat_triangles(const Triangulation& t, std::span<const
   return flat;
 }
 
-void keep_clear(std::vector<Hairline> all, DomainSegments& segments, const Array<Point>& points) {
-  for (Hairline& line : all) {
-    const auto tip = static_cast<VertexId>(line.tip);
-    if (segments.segments_at(tip).empty()) continue;
-    line.slope = slope_at_tip(line, tip, segments, points);
-    const auto a = static_cast<VertexId>(line.a), b = static_cast<VertexId>(line.b);
-    keep_clear(line, tip, segment_between(a, b, segments), segments, points);
-  }
-}
-
 }  // namespace
 
 Result<DomainTriangulation> triangulate_domain(const Pslg& pslg, bool convex_hull, const Threads& threads) {
@@ -85,7 +75,7 @@ Result<DomainTriangulation> triangulate_domain(const Pslg& pslg, bool convex_hul
                  "the domain is empty: the segments enclose no area, or the holes remove all of it"};
   t.origin = make_array(threads, t.points.size(), [](std::size_t) { return input_vertex; });
   domain.segments = DomainSegments(t.points, constraints, markers, threads);
-  keep_clear(hairlines_among(flat), domain.segments, t.points);
+  keep_clear(hairlines_among(flat), t, domain.segments);
   return domain;
 }
 

@@ -54,9 +54,7 @@ class FlatTriangles {
       if (across == at_.end()) return;
       t = &all_[across->second.first];
       const unsigned apex = across->second.second;
-      // The apex replaces the end of the side on which it lies.
-      side =
-          lies_ahead(t->at[apex]) == lies_ahead(t->at[next_corner[apex]]) ? next_corner[apex] : previous_corner[apex];
+      side = exit_side(apex, lies_ahead(t->at[apex]), lies_ahead(t->at[next_corner[apex]]));
     }
     const unsigned u = next_corner[side], v = previous_corner[side];
     if (t->is_segment[side] != 0 && t->v[u] != start.v[top] && t->v[v] != start.v[top])
@@ -107,13 +105,6 @@ double slope_at_tip(const Hairline& line, VertexId tip, const DomainSegments& se
   return least;
 }
 
-Index segment_between(VertexId a, VertexId b, const DomainSegments& segments) {
-  if (a == no_index || b == no_index) return no_index;
-  for (const Index s : segments.segments_at(a))
-    if (segments.other_end(s, a) == b) return s;
-  return no_index;
-}
-
 void keep_clear(const Hairline& line, VertexId tip, Index beside, DomainSegments& segments,
                 const Array<Point>& points) {
   const double gap = gap_of(line);
@@ -121,6 +112,19 @@ void keep_clear(const Hairline& line, VertexId tip, Index beside, DomainSegments
   if (tip == no_index) return;
   for (const Index s : segments.segments_at(tip))
     segments.add_clearance(s, {line.tip_at, gap, slope_of(line, tip, s, segments, points)});
+}
+
+void keep_clear(std::vector<Hairline> all, const Triangulation& t, DomainSegments& segments) {
+  for (Hairline& line : all) {
+    const auto tip = static_cast<VertexId>(line.tip), a = static_cast<VertexId>(line.a),
+               b = static_cast<VertexId>(line.b);
+    const Index around = segment_of_origin(t.origin[tip]);
+    const bool is_inside = around < segments.size();
+    if (!is_inside && segments.segments_at(tip).empty()) continue;
+    line.slope = slope_at_tip(line, tip, segments, t.points);
+    keep_clear(line, tip, a == b ? no_index : segments.segment_of(t, a, b), segments, t.points);
+    if (is_inside) segments.add_clearance(around, {line.tip_at, gap_of(line)});
+  }
 }
 
 }  // namespace pardel::engine

@@ -53,11 +53,13 @@ void add_if_flat(const Triangulation& t, const Slot& slot, const PositionOf& pos
 [[nodiscard]] double slope_at_tip(const Hairline& line, VertexId tip, const DomainSegments& segments,
                                   const Array<Point>& points);
 
-/// The segment between two vertices at its ends; no_index if there is none, or if one of them is no_index.
-[[nodiscard]] Index segment_between(VertexId a, VertexId b, const DomainSegments& segments);
-
 /// Makes both segments of a hairline stay clear of each other (clearance.hpp). `beside`: the segment ab. Nothing
 /// happens to a segment that is not known: the tip or the segment is no_index.
 void keep_clear(const Hairline& line, VertexId tip, Index beside, DomainSegments& segments, const Array<Point>& points);
+
+/// The same for hairlines whose positions are vertices of a triangulation that has all segments. A tip may also lie
+/// inside a segment of a mesh, where subsegments meet; then this segment may lie anywhere beside segment ab. A tip at
+/// which no segment ends or passes is in the way of none.
+void keep_clear(std::vector<Hairline> all, const Triangulation& t, DomainSegments& segments);
 
 }  // namespace pardel::engine

@@ -11,7 +11,6 @@
 #include "../arithmetic/predicates.hpp"
 #include "../scheduling/limits.hpp"
 #include "../triangulation/flips.hpp"
-#include "hairlines_outside.hpp"
 #include "join_subsegments.hpp"
 
 namespace pardel::engine {
@@ -132,20 +131,6 @@ std::vector<ConstrainedEdge> constrain_edges(const Mesh& mesh, Triangulation& t,
   return subsegments;
 }
 
-/// A tip inside a segment, where subsegments meet, may lie anywhere beside segment ab.
-void keep_clear_outside(DomainTriangulation& domain, const Threads& threads) {
-  const Triangulation& t = domain.triangulation;
-  for (Hairline& line : hairlines_outside(t, threads)) {
-    const auto tip = static_cast<VertexId>(line.tip), a = static_cast<VertexId>(line.a),
-               b = static_cast<VertexId>(line.b);
-    line.slope = slope_at_tip(line, tip, domain.segments, t.points);
-    const Index beside = a == b ? no_index : domain.segments.segment_of(t, a, b);
-    keep_clear(line, tip, beside, domain.segments, t.points);
-    if (const Index around = segment_of_origin(t.origin[tip]); around < domain.segments.size())
-      domain.segments.add_clearance(around, {line.tip_at, gap_of(line)});
-  }
-}
-
 }  // namespace
 
 Result<DomainTriangulation> import_mesh(const Mesh& mesh, const Threads& threads) {
@@ -171,7 +156,6 @@ Result<DomainTriangulation> import_mesh(const Mesh& mesh, const Threads& threads
   for (const ConstrainedEdge& e : domain.subsegments) markers.push_back(e.marker);
   domain.segments = DomainSegments(t.points, joined.segments, {}, threads);
   domain.segments.set_pieces(std::move(joined.pieces), std::move(markers));
-  keep_clear_outside(domain, threads);
   for (const Index first : joined.subsegment) domain.input_segment.push_back(domain.subsegments[first].segment);
   domain.input_of_vertex.resize(t.points.size());
   for (Index v = 0; v < t.points.size(); ++v) domain.input_of_vertex[v] = v;

@@ -173,7 +173,7 @@ Point point_at(double fraction, const Triangulation& t, const DomainSegments& se
   const Point from = t.points[line.a], to = t.points[line.b];
   const auto on_line = [&](Point q) { return usable_on_edge(projected(q, from, to), a, b, from, to); };
   const Point first = on_line(p);
-  if (!segments.has_clearances() || segments.may_split(t.points, number, {a, b}, first)) return first;
+  if (segments.may_split(t.points, number, {a, b}, first)) return first;
   constexpr int most_places = 32;  // on each side
   const double few_roundings = 0x1p-51 * Box::around(a, b).largest_magnitude() / distance(a, b);
   for (int place = 1; place <= most_places; ++place)

@@ -14,9 +14,7 @@ class StraightWalk {
   [[nodiscard]] EdgeRef exit(EdgeRef entered) const {
     const Slot& slot = t_.slot(entered);
     const unsigned apex = entered.side();
-    // The apex replaces the end of the side on which it lies.
-    const bool replaces_from = lies_ahead(slot.apex(apex)) == lies_ahead(slot.from(apex));
-    return {entered.triangle(), replaces_from ? next_corner[apex] : previous_corner[apex]};
+    return {entered.triangle(), exit_side(apex, lies_ahead(slot.apex(apex)), lies_ahead(slot.from(apex)))};
   }
 
   /// Crosses edges, beginning with side `e` of its triangle. Returns the first constrained edge, as a side of the

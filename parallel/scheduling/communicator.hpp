@@ -77,7 +77,7 @@ class Communicator {
 };
 
 /// What the communicator of a mesh that begins in parts can do in addition. No rank ever has all of such a mesh. Each
-/// rank assesses its part. One rank refines the coarse levels, in a submesh of the mesh. Then the mesh is divided anew,
+/// rank assesses its part. One rank refines the coarse levels, in a gathered submesh. Then the mesh is divided anew,
 /// with divide_anew() instead of divide(). All functions but holds() are collective.
 class CommunicatorInParts {
  public:

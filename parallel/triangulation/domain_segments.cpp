@@ -92,6 +92,13 @@ void DomainSegments::find_smallest_angles(const Array<Point>& points, const Thre
   });
 }
 
+/// The angle between the two is not smaller than the smallest one at each of them.
+bool DomainSegments::meet_narrowly(const Array<Point>& points, VertexId v, Index first, Index second,
+                                   double cosine) const {
+  return std::min(segments_[first].cosine_at(v), segments_[second].cosine_at(v)) > cosine &&
+         cosine_at(points, v, first, second) > cosine;
+}
+
 void DomainSegments::find_narrow_apexes(const Array<Point>& points, SparseAsk& ask) {
   for (DomainSegment& s : segments_) {
     ask();
@@ -100,9 +107,7 @@ void DomainSegments::find_narrow_apexes(const Array<Point>& points, SparseAsk& a
   for (std::size_t end = 0; end < ends_.size(); ++end) {
     ask();
     for_each_angle_at(end, [&](VertexId v, Index here, Index next) {
-      // The angle between the two is not smaller than the smallest one at each of them.
-      const double at_most = std::min(segments_[here].cosine_at(v), segments_[next].cosine_at(v));
-      if (at_most <= cosine_of_narrow_angle || cosine_at(points, v, here, next) <= cosine_of_narrow_angle) return;
+      if (!meet_narrowly(points, v, here, next, cosine_of_narrow_angle)) return;
       if (narrow_end(segments_[here]) != v) segments_[next].narrow_apex = no_index;
       if (narrow_end(segments_[next]) != v) segments_[here].narrow_apex = no_index;
     });
@@ -162,8 +167,7 @@ void DomainSegments::find_narrow_wedges(const Array<Point>& points, SparseAsk& a
   for (std::size_t end = 0; end < ends_.size(); ++end) {
     ask();
     for_each_angle_at(end, [&](VertexId v, Index here, Index next) {
-      const double at_most = std::min(segments_[here].cosine_at(v), segments_[next].cosine_at(v));
-      if (at_most <= cosine_of_narrow_wedge || cosine_at(points, v, here, next) <= cosine_of_narrow_wedge) return;
+      if (!meet_narrowly(points, v, here, next, cosine_of_narrow_wedge)) return;
       const Point o = points[v], p = points[other_end(here, v)], q = points[other_end(next, v)];
       const double sine = std::abs(exact::twice_area(o, p, q)) / (distance(o, p) * distance(o, q));
       for (const Index l : {here, next}) add_clearance(l, {o, 0, sine});
@@ -207,8 +211,12 @@ std::span<const Index> DomainSegments::segments_at(VertexId v) const {
 Index DomainSegments::segment_of(const Triangulation& t, VertexId u, VertexId v) const {
   for (const VertexId end : {u, v})
     if (const Index segment = segment_of_origin(t.origin[end]); segment < segments_.size()) return segment;
-  for (const Index l : segments_at(u))
-    if (other_end(l, u) == v) return l;
+  return segment_between(u, v);
+}
+
+Index DomainSegments::segment_between(VertexId a, VertexId b) const {
+  for (const Index l : segments_at(a))
+    if (other_end(l, a) == b) return l;
   return no_index;
 }
 

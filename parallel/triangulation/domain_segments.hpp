@@ -110,6 +110,8 @@ class DomainSegments {
   /// The segment that contains the constrained edge u-v as a subsegment. no_index if there is no such segment; this
   /// does not happen in a correct triangulation.
   [[nodiscard]] Index segment_of(const Triangulation& t, VertexId u, VertexId v) const;
+  /// The segment with these two ends; no_index if there is none, or if one of them is no_index.
+  [[nodiscard]] Index segment_between(VertexId a, VertexId b) const;
   /// The common end of two different segments, or no_index.
   [[nodiscard]] VertexId shared_end(Index first, Index second) const;
   /// The end of a segment that is not `end`.
@@ -133,6 +135,9 @@ class DomainSegments {
     for (std::size_t i = 0; here.size() > 1 && i < here.size(); ++i)
       visit(ends_[end], here[i], here[(i + 1) % here.size()]);
   }
+  /// True if two segments that are adjacent around v meet there at an angle with a larger cosine.
+  [[nodiscard]] bool meet_narrowly(const Array<Point>& points, VertexId v, Index first, Index second,
+                                   double cosine) const;
   void find_ends(SparseAsk& ask);
   void sort_around(const Array<Point>& points, std::size_t end);
   void find_smallest_angles(const Array<Point>& points, const Threads& threads);

@@ -26,6 +26,13 @@ inline constexpr Index border_vertex = no_index - 2;
 inline constexpr std::array<unsigned, 3> next_corner{1, 2, 0};
 inline constexpr std::array<unsigned, 3> previous_corner{2, 0, 1};
 
+/// The side through which a straight line leaves a triangle that it enters through the side opposite corner `apex`.
+/// `apex_lies_ahead`, `from_lies_ahead`: whether the apex, and the first end of the side that is entered, lie on one
+/// side of the line, which is the same for both. The apex replaces the end on its own side.
+[[nodiscard]] constexpr unsigned exit_side(unsigned apex, bool apex_lies_ahead, bool from_lies_ahead) {
+  return apex_lies_ahead == from_lies_ahead ? next_corner[apex] : previous_corner[apex];
+}
+
 /// A side of a triangle: an edge as seen from one of its two triangles, and a bit that states whether the edge is
 /// constrained. Side i lies opposite corner i. The three values are packed as triangle * 8 + side * 2 + constrained, so
 /// a triangulation holds up to 2^29 - 1 triangles. The default value none() refers to no triangle.
