@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "../parallel/mesher.hpp"
+#include "../parallel/sizes.hpp"
 #include "drawn_faces.hpp"
 #include "input.hpp"
 #include "read_geojson.hpp"

@@ -10,6 +10,7 @@
 #include "../core/formats.hpp"
 #include "../core/support/shortest.hpp"
 #include "../parallel/mesher.hpp"
+#include "../parallel/sizes.hpp"
 
 namespace pardel::cli {
 namespace {

@@ -8,6 +8,7 @@
 #include "../core/goal.hpp"
 #include "../core/pslg.hpp"
 #include "../parallel/mesher.hpp"
+#include "../parallel/sizes.hpp"
 
 namespace pardel::fuzz {
 

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "../parallel/mesher.hpp"
+#include "../parallel/sizes.hpp"
 #include "../parallel/validate.hpp"
 #include "fuzz_one.hpp"
 #include "judgement.hpp"

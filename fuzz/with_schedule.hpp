@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "../parallel/conversion/domain_triangulation.hpp"
+#include "../parallel/construction/domain_triangulation.hpp"
 #include "../parallel/conversion/export_mesh.hpp"
 #include "../parallel/scheduling/refine_by_sweeps.hpp"
 

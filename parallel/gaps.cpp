@@ -4,9 +4,9 @@
 #include <cstddef>
 
 #include "../core/support/shortest.hpp"
-#include "concurrency/parallel_for.hpp"
-#include "conversion/guarded.hpp"
 #include "diagnosis/find_gaps.hpp"
+#include "sizing/guarded.hpp"
+#include "threads/parallel_for.hpp"
 
 namespace pardel {
 

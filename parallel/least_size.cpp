@@ -4,19 +4,20 @@
 #include <cmath>
 
 #include "../core/support/shortest.hpp"
-#include "concurrency/parallel_for.hpp"
-#include "conversion/guarded.hpp"
 #include "diagnosis/find_least_size.hpp"
+#include "sizing/guarded.hpp"
+#include "threads/parallel_for.hpp"
 
 namespace pardel {
 
 std::string LeastSize::message() const {
-  const auto millions = [](double number) { return shortest(std::round(number / 1e5) / 10) + " million triangles."; };
+  const auto millions = [](double number) { return shortest(std::round(number / 1e5) / 10) + " million"; };
   std::string text;
   if (names_narrow_part()) text = "The domain is only " + shortest(width) + " wide at " + shortest(where) + ". ";
   if (is_of_narrow_parts())
-    return text + "With such narrow parts and this smallest angle, the mesh needs at least " + millions(triangles);
-  return text + "With these bounds on sizes, the mesh will have about " + millions(expected);
+    return text + "With such narrow parts and this smallest angle, the mesh needs at least " + millions(triangles) +
+           " triangles, and usually has about " + millions(expected) + ".";
+  return text + "With these bounds on sizes, the mesh will have about " + millions(expected) + " triangles.";
 }
 
 Result<LeastSize> least_size(const ValidPslg& domain, double min_angle_deg, double min_edge, int threads) try {

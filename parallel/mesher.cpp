@@ -7,73 +7,31 @@
 
 #include "../core/support/shortest.hpp"
 #include "../core/support/stopwatch.hpp"
-#include "arithmetic/predicates.hpp"
-#include "concurrency/parallel_for.hpp"
-#include "conversion/domain_triangulation.hpp"
-#include "conversion/guarded.hpp"
-#include "conversion/hairlines_outside.hpp"
+#include "construction/domain_triangulation.hpp"
+#include "construction/hairlines_outside.hpp"
 #include "conversion/import_mesh.hpp"
 #include "conversion/locate_regions.hpp"
-#include "criteria/criteria.hpp"
-#include "criteria/exact_goal.hpp"
-#include "diagnosis/find_gaps.hpp"
-#include "filling/refine_domain.hpp"
-#include "filling/refine_filled.hpp"
-#include "input/findings.hpp"
-#include "interpolation/coverage.hpp"
-#include "interpolation/graded_size.hpp"
-#include "interpolation/local_bound.hpp"
-#include "interpolation/steep_edges.hpp"
-#include "planning/region_sizes.hpp"
+#include "domain/find_problems.hpp"
+#include "planning/mesh_valid.hpp"
 #include "planning/run_plan.hpp"
 #include "planning/supervised.hpp"
+#include "quality/criteria.hpp"
+#include "quality/exact_goal.hpp"
 #include "refinement/goal_met.hpp"
-#include "scheduling/limits.hpp"
 #include "scheduling/progress_monitor.hpp"
+#include "scheduling/refine_domain.hpp"
+#include "sizing/coverage.hpp"
+#include "sizing/graded_size.hpp"
+#include "sizing/guarded.hpp"
+#include "sizing/local_bound.hpp"
+#include "threads/parallel_for.hpp"
+#include "triangulation/limits.hpp"
 
 namespace pardel {
 
 using namespace engine;
 
 namespace {
-
-Status check_valid(const Pslg& pslg, bool convex_hull, const Threads& threads) {
-  const std::vector<Problem> problems = find_problems(pslg, {.convex_hull = convex_hull}, threads);
-  if (problems.empty()) return Done{};
-  return Error{ErrorKind::invalid_input, messages(problems, pslg.first_id.value)};
-}
-
-/// Refines the triangulation of a valid Pslg until it meets the goal.
-Result<Mesh> refined_mesh(const Pslg& pslg, bool convex_hull, const Goal& goal, DomainTriangulation domain,
-                          InputData input, const Options& options, ProgressMonitor& progress, Report& report) {
-  report.gaps = find_gaps(domain, progress.threads());
-  Result<RunPlan> plan = plan_run(pslg, goal, domain, options, progress.threads());
-  if (!plan) return plan.error();
-  if (plan->edges_of_patches.empty())
-    return refine_domain(std::move(domain), plan->criteria, std::move(input), options, progress, report);
-  return refine_filled({pslg, convex_hull, std::move(plan->edges_of_patches)}, std::move(domain), plan->criteria, input,
-                       options, progress, report);
-}
-
-/// Makes the mesh of a valid Pslg, or only its constrained Delaunay triangulation if `goal` is null.
-Result<Meshed> mesh_valid(const Pslg& pslg, bool convex_hull, const Goal* goal, const Options& options,
-                          ProgressMonitor& progress) {
-  Stopwatch watch;
-  Meshed result;
-  if (outgrows_memory(pslg.points.size(), options)) return too_much_memory(options);
-  Result<DomainTriangulation> domain = triangulate_domain(pslg, convex_hull, progress.threads());
-  if (!domain) return domain.error();
-  InputData input = input_data(pslg, *domain, progress.threads());
-  result.report.triangulate_seconds = watch.lap();
-
-  Result<Mesh> mesh = goal == nullptr ? Result<Mesh>(to_mesh(std::move(*domain), std::move(input), progress.threads()))
-                                      : refined_mesh(pslg, convex_hull, *goal, std::move(*domain), std::move(input),
-                                                     options, progress, result.report);
-  if (!mesh) return mesh.error();
-  result.mesh = std::move(*mesh);
-  result.report.refine_seconds = watch.lap();
-  return result;
-}
 
 Result<Meshed> validate_and_mesh(const Pslg& pslg, bool convex_hull, const Goal* goal, const Options& options,
                                  ProgressMonitor& progress) {
@@ -97,18 +55,6 @@ Status check_threads(int threads) {
   return Error{ErrorKind::usage, "the number of threads must be zero or positive, not " + std::to_string(threads)};
 }
 
-template <class Points>
-Status check_sizes(const Points& of, std::span<const double> sizes) {
-  if (sizes.size() != of.points.size())
-    return Error{ErrorKind::invalid_input,
-                 std::to_string(sizes.size()) + " sizes for " + std::to_string(of.points.size()) + " points"};
-  for (std::size_t v = 0; v < sizes.size(); ++v)
-    if (!(sizes[v] > 0 && sizes[v] < INFINITY))
-      return Error{ErrorKind::invalid_input, "the size at point " + std::to_string(v + of.first_id.value) +
-                                                 " must be positive, not " + shortest(sizes[v])};
-  return Done{};
-}
-
 Status check_sources(std::span<const SizeSource> sources) {
   const auto is_length = [](double length) { return length > 0 && length < INFINITY; };
   for (std::size_t i = 0; i < sources.size(); ++i) {
@@ -123,53 +69,6 @@ Status check_sources(std::span<const SizeSource> sources) {
                                          shortest(is_length(source.at_a) ? source.at_b : source.at_a)};
   }
   return Done{};
-}
-
-/// The triangles of a background, counter-clockwise.
-Result<std::vector<std::array<Index, 3>>> triangles_of_background(const Mesh& mesh) {
-  if (mesh.triangles.empty()) return Error{ErrorKind::invalid_input, "the mesh of the sizes has no triangles"};
-  std::vector<std::array<Index, 3>> triangles;
-  for (const Triangle& triangle : mesh.triangles) {
-    std::array<Index, 3> v = triangle.v;
-    const auto fault = [&](const char* what) {
-      return Error{ErrorKind::invalid_input, "triangle " + std::to_string(triangles.size() + mesh.first_id.value) +
-                                                 " of the mesh of the sizes " + what};
-    };
-    if (std::ranges::any_of(v, [&](Index i) { return i >= mesh.points.size(); }))
-      return fault("has a corner that does not exist");
-    const double area = orient2d(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]]);
-    if (area == 0) return fault("is flat");
-    if (area < 0) std::swap(v[0], v[1]);
-    triangles.push_back(v);
-  }
-  return triangles;
-}
-
-/// The function that interpolates the sizes at the points of a background.
-std::function<double(Point)> size_on(std::span<const Point> points, std::vector<std::array<Index, 3>> triangles,
-                                     std::span<const double> sizes, bool limited, std::string name,
-                                     const Threads& threads) {
-  PointValues field{std::make_shared<Background>(points, std::move(triangles), threads),
-                    {sizes.begin(), sizes.end()},
-                    limited,
-                    std::move(name)};
-  return OnBackground<PointValues>{std::make_shared<const PointValues>(std::move(field))};
-}
-
-Status check_grading(double grading) {
-  if (grading > 0 && grading < INFINITY) return Done{};
-  return Error{ErrorKind::usage, "the limit on gradation must be finite and positive, not " + shortest(grading)};
-}
-
-/// Precondition: the Pslg is valid and check_sizes() accepts the sizes.
-Result<std::function<double(Point)>> interpolate_sizes(const Pslg& pslg, std::span<const double> sizes,
-                                                       bool convex_hull, const Options& options,
-                                                       ProgressMonitor& progress) {
-  const Result<Meshed> meshed = mesh_valid(pslg, convex_hull, nullptr, options, progress);
-  if (!meshed) return meshed.error();
-  std::vector<std::array<Index, 3>> triangles;
-  for (const Triangle& triangle : meshed->mesh.triangles) triangles.push_back(triangle.v);
-  return size_on(pslg.points, std::move(triangles), sizes, false, {}, progress.threads());
 }
 
 /// The checks of the arguments of refine().
@@ -282,92 +181,6 @@ Result<Meshed> refine(const Mesh& coarse, std::span<const double> max_areas, con
   if (Status fit = check_caps(coarse, max_areas); !fit) return fit.error();
   return supervised(options, [&](const Options& safe, ProgressMonitor& progress) {
     return refine_mesh(coarse, max_areas, goal, safe, progress);
-  });
-}
-
-Result<std::function<double(Point)>> interpolated_size(const ValidPslg& domain, std::span<const double> sizes,
-                                                       const Options& options) {
-  if (Status fit = check_sizes(domain.pslg(), sizes); !fit) return fit.error();
-  return supervised(options, [&](const Options& safe, ProgressMonitor& progress) {
-    return interpolate_sizes(domain.pslg(), sizes, domain.convex_hull(), safe, progress);
-  });
-}
-
-Result<std::function<double(Point)>> interpolated_size(const Mesh& background, std::span<const double> sizes,
-                                                       const Options& options, std::string name) {
-  using Size = Result<std::function<double(Point)>>;
-  if (Status fit = check_sizes(background, sizes); !fit) return fit.error();
-  return supervised(options, [&](const Options&, ProgressMonitor& progress) -> Size {
-    Result<std::vector<std::array<Index, 3>>> triangles = triangles_of_background(background);
-    if (!triangles) return triangles.error();
-    return size_on(background.points.span(), std::move(*triangles), sizes, true, std::move(name), progress.threads());
-  });
-}
-
-Result<std::function<double(Point)>> interpolated_size(const Pslg& pslg, std::span<const double> sizes,
-                                                       bool convex_hull, const Options& options) {
-  if (Status fit = check_sizes(pslg, sizes); !fit) return fit.error();
-  using Size = Result<std::function<double(Point)>>;
-  return supervised(options, [&](const Options& safe, ProgressMonitor& progress) -> Size {
-    if (Status valid = check_valid(pslg, convex_hull, progress.threads()); !valid) return valid.error();
-    return interpolate_sizes(pslg, sizes, convex_hull, safe, progress);
-  });
-}
-
-Result<std::vector<SizeSource>> size_sources(const ValidPslg& domain, std::span<const double> sizes, double grading,
-                                             const Options& options) {
-  using Sources = Result<std::vector<SizeSource>>;
-  if (Status fit = check_sizes(domain.pslg(), sizes); !fit) return fit.error();
-  if (Status in_range = check_grading(grading); !in_range) return in_range.error();
-  return supervised(options, [&](const Options& safe, ProgressMonitor& progress) -> Sources {
-    const Result<Meshed> meshed = mesh_valid(domain.pslg(), domain.convex_hull(), nullptr, safe, progress);
-    if (!meshed) return meshed.error();
-    std::vector<std::array<Index, 3>> triangles;
-    for (const Triangle& triangle : meshed->mesh.triangles) triangles.push_back(triangle.v);
-    return steep_edges(domain.pslg().points, triangles, sizes, grading);
-  });
-}
-
-Result<std::vector<SizeSource>> size_sources(const Mesh& background, std::span<const double> sizes, double grading) {
-  using Sources = Result<std::vector<SizeSource>>;
-  if (Status fit = check_sizes(background, sizes); !fit) return fit.error();
-  if (Status in_range = check_grading(grading); !in_range) return in_range.error();
-  return supervised(Options{}, [&](const Options&, ProgressMonitor&) -> Sources {
-    Result<std::vector<std::array<Index, 3>>> triangles = triangles_of_background(background);
-    if (!triangles) return triangles.error();
-    return steep_edges(background.points.span(), *triangles, sizes, grading);
-  });
-}
-
-Result<RegionSizes> region_sizes(const ValidPslg& domain, std::span<const double> lengths, const Options& options) {
-  const std::size_t regions = domain.pslg().regions.size();
-  if (lengths.size() != regions)
-    return Error{ErrorKind::invalid_input,
-                 std::to_string(lengths.size()) + " lengths for " + std::to_string(regions) + " regions"};
-  for (std::size_t r = 0; r < regions; ++r)
-    if (!(lengths[r] > 0))
-      return Error{ErrorKind::invalid_input, "the length in region " +
-                                                 std::to_string(r + domain.pslg().first_id.value) +
-                                                 " must be positive, not " + shortest(lengths[r])};
-  return supervised(options, [&](const Options&, ProgressMonitor& progress) -> Result<RegionSizes> {
-    constexpr std::uint64_t usual = 8, at_least = 1000;
-    Options bounded;
-    bounded.threads = options.threads;
-    bounded.max_vertices = usual * domain.pslg().points.size() + at_least;
-    const Goal no_thin_triangles;
-    const Result<Meshed> meshed =
-        mesh_valid(domain.pslg(), domain.convex_hull(), &no_thin_triangles, bounded, progress);
-    if (!meshed) return meshed.error();
-    return sizes_of_faces(domain.pslg(), domain.convex_hull(), lengths, meshed->mesh, progress.threads());
-  });
-}
-
-Result<std::function<double(Point)>> allowed_size(const ValidPslg& domain, const Goal& goal, const Options& options) {
-  using Size = Result<std::function<double(Point)>>;
-  if (Status in_range = check_goal(goal, options); !in_range) return in_range.error();
-  if (!is_graded(goal)) return goal.size;
-  return supervised(options, [&](const Options&, ProgressMonitor& progress) -> Size {
-    return graded_size(goal, domain.pslg(), progress.threads());
   });
 }
 

@@ -14,8 +14,10 @@
 #include <pardel/parallel/least_size.hpp>
 #include <pardel/parallel/mesher.hpp>
 #include <pardel/parallel/options.hpp>
+#include <pardel/parallel/problem.hpp>
 #include <pardel/parallel/repair.hpp>
 #include <pardel/parallel/report.hpp>
+#include <pardel/parallel/sizes.hpp>
 #include <pardel/parallel/sweep.hpp>
 #include <pardel/parallel/validate.hpp>
 #include <pardel/parallel/warnings.hpp>

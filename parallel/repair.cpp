@@ -5,12 +5,12 @@
 #include <optional>
 #include <utility>
 
-#include "concurrency/bounding_box.hpp"
-#include "conversion/guarded.hpp"
+#include "decomposition/bounding_box.hpp"
 #include "diagnosis/narrowest_part.hpp"
 #include "diagnosis/tiny_gaps.hpp"
-#include "input/repair_once.hpp"
+#include "domain/repair_once.hpp"
 #include "segments/snapping.hpp"
+#include "sizing/guarded.hpp"
 #include "triangulation/triangle_shape.hpp"
 
 namespace pardel {

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "../core/support/enum_names.hpp"
-#include "concurrency/lattice.hpp"
-#include "concurrency/quadtree.hpp"
+#include "decomposition/lattice.hpp"
+#include "decomposition/quadtree.hpp"
 
 namespace pardel {
 namespace {

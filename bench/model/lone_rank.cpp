@@ -37,14 +37,13 @@ LoneRank measure_lone_rank(Triangulation t, const Tiles& tiles, std::span<const 
                            int ranks) {
   const Schedule schedule;
   const Assessor assessor(t, problem.segments, problem.criteria, problem.options);
-  PhaseRunner runner(t, assessor, problem.criteria, problem.options, Threads(1), schedule);
   SilentRanks silent(ranks / 2, ranks);
   Distribution distribution(silent, t);
+  PhaseRunner runner(t, assessor, problem.criteria, problem.options, Threads(1), schedule, distribution);
   ThreadWatch watch;
   distribution.divide(tiles, work, runner);
   LoneRank measured{.divide_seconds = watch.lap()};
 
-  runner.set_communicator(&distribution);
   SeedsByCell no_seeds(tiles.cells());
   constexpr int phases = 9;
   std::vector<double> seconds;

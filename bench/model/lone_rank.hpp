@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <span>
 
-#include "../../parallel/concurrency/tiles.hpp"
-#include "../../parallel/criteria/criteria.hpp"
+#include "../../parallel/decomposition/tiles.hpp"
 #include "../../parallel/options.hpp"
+#include "../../parallel/quality/criteria.hpp"
 #include "../../parallel/triangulation/domain_segments.hpp"
 #include "../../parallel/triangulation/triangulation.hpp"
 

@@ -5,11 +5,11 @@
 
 #include "../../core/support/stop_signal.hpp"
 #include "../../distributed/meshing/piece.hpp"
-#include "../../parallel/concurrency/parallel_for.hpp"
 #include "../../parallel/diagnosis/find_gaps.hpp"
-#include "../../parallel/filling/refine_domain.hpp"
 #include "../../parallel/planning/run_plan.hpp"
 #include "../../parallel/planning/supervised.hpp"
+#include "../../parallel/scheduling/refine_domain.hpp"
+#include "../../parallel/threads/parallel_for.hpp"
 #include "../../parallel/triangulation/compact.hpp"
 #include "thread_time.hpp"
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "../../core/ranks.hpp"
-#include "../../parallel/concurrency/threads.hpp"
+#include "../../parallel/threads/threads.hpp"
 #include "../delaunay/local_delaunay.hpp"
 #include "../delaunay/own_points.hpp"
 #include "../delaunay/shared_hull.hpp"

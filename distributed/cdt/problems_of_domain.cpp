@@ -5,7 +5,7 @@
 
 #include "../../core/support/collective.hpp"
 #include "../../core/support/message.hpp"
-#include "../../parallel/input/findings.hpp"
+#include "../../parallel/domain/find_problems.hpp"
 
 namespace pardel::engine {
 namespace {

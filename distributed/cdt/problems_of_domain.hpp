@@ -8,7 +8,7 @@
 #include "../../core/part_of_points.hpp"
 #include "../../core/ranks.hpp"
 #include "../../core/result.hpp"
-#include "../../parallel/concurrency/threads.hpp"
+#include "../../parallel/threads/threads.hpp"
 #include "../delaunay/own_points.hpp"
 
 namespace pardel::engine {

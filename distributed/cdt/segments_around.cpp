@@ -7,7 +7,7 @@
 #include "../../core/support/exchange_lists.hpp"
 #include "../../core/support/message.hpp"
 #include "../../core/support/without_repetitions.hpp"
-#include "../../parallel/concurrency/parallel_arrays.hpp"
+#include "../../parallel/threads/parallel_arrays.hpp"
 
 namespace pardel::engine {
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "../../core/ranks.hpp"
-#include "../../parallel/concurrency/threads.hpp"
-#include "../../parallel/conversion/hairlines.hpp"
+#include "../../parallel/construction/hairlines.hpp"
+#include "../../parallel/threads/threads.hpp"
 #include "../../parallel/triangulation/domain_segments.hpp"
 #include "../delaunay/own_points.hpp"
 #include "../subdomain/names.hpp"

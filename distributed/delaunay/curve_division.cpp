@@ -4,7 +4,7 @@
 
 #include "../../core/support/exchange_lists.hpp"
 #include "../../core/support/share_of_rank.hpp"
-#include "../../parallel/concurrency/bounding_box.hpp"
+#include "../../parallel/decomposition/bounding_box.hpp"
 
 namespace pardel::engine {
 namespace {

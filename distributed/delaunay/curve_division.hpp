@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "../../core/ranks.hpp"
-#include "../../parallel/concurrency/hilbert_order.hpp"
+#include "../../parallel/decomposition/hilbert_order.hpp"
 
 namespace pardel::engine {
 

@@ -10,8 +10,8 @@
 
 #include "../../core/array.hpp"
 #include "../../core/result.hpp"
-#include "../../parallel/concurrency/threads.hpp"
 #include "../../parallel/construction/bowyer_watson.hpp"
+#include "../../parallel/threads/threads.hpp"
 #include "../../parallel/triangulation/triangulation.hpp"
 
 namespace pardel::engine {

@@ -4,8 +4,8 @@
 
 #include "../../core/support/message.hpp"
 #include "../../core/support/share_of_rank.hpp"
-#include "../../parallel/concurrency/hilbert_order.hpp"
-#include "../../parallel/concurrency/parallel_arrays.hpp"
+#include "../../parallel/decomposition/hilbert_order.hpp"
+#include "../../parallel/threads/parallel_arrays.hpp"
 
 namespace pardel::engine {
 namespace {

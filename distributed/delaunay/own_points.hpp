@@ -7,7 +7,7 @@
 
 #include "../../core/array.hpp"
 #include "../../core/ranks.hpp"
-#include "../../parallel/concurrency/threads.hpp"
+#include "../../parallel/threads/threads.hpp"
 #include "../distributed.hpp"
 #include "curve_division.hpp"
 

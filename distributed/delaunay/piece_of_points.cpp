@@ -7,7 +7,7 @@
 
 #include "../../core/support/message.hpp"
 #include "../../core/support/share_of_rank.hpp"
-#include "../../parallel/concurrency/parallel_arrays.hpp"
+#include "../../parallel/threads/parallel_arrays.hpp"
 #include "../../parallel/triangulation/triangle_shape.hpp"
 #include "shared_hull.hpp"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "../../core/ranks.hpp"
-#include "../../parallel/concurrency/threads.hpp"
+#include "../../parallel/threads/threads.hpp"
 #include "../distributed.hpp"
 #include "local_delaunay.hpp"
 #include "own_points.hpp"

@@ -7,18 +7,14 @@
 
 #include "../../core/support/exchange_lists.hpp"
 #include "../../parallel/arithmetic/predicates.hpp"
-#include "../../parallel/concurrency/parallel_arrays.hpp"
-#include "../../parallel/input/check_values.hpp"
-#include "../../parallel/input/convex_hull.hpp"
-#include "../../parallel/input/duplicates.hpp"
-#include "../../parallel/input/findings.hpp"
-#include "../distributed.hpp"
+#include "../../parallel/domain/check_values.hpp"
+#include "../../parallel/domain/convex_hull.hpp"
+#include "../../parallel/domain/duplicates.hpp"
+#include "../../parallel/domain/findings.hpp"
+#include "../../parallel/threads/parallel_arrays.hpp"
 #include "resolve_halo.hpp"
 
-namespace pardel {
-
-using namespace engine;
-
+namespace pardel::engine {
 namespace {
 
 /// The largest number of problems of each kind that is listed.
@@ -64,7 +60,7 @@ bool have_wrong_counts(const PartOfPoints& read, Ranks& ranks) {
 
 }  // namespace
 
-std::vector<Problem> engine::unusable_values(const PartOfPoints& read, Ranks& ranks, const Threads& threads) {
+std::vector<Problem> unusable_values(const PartOfPoints& read, Ranks& ranks, const Threads& threads) {
   std::vector<TravellingProblem> here;
   std::map<ProblemKind, std::size_t> count;
   if (have_wrong_counts(read, ranks) && ranks.rank() == 0) here.push_back({{}, 0, {}, ProblemKind::wrong_count});
@@ -78,7 +74,7 @@ std::vector<Problem> engine::unusable_values(const PartOfPoints& read, Ranks& ra
 }
 
 /// Equal points have the same owner.
-std::vector<Problem> engine::unusable_positions(const OwnPoints& own, Ranks& ranks, const Threads& threads) {
+std::vector<Problem> unusable_positions(const OwnPoints& own, Ranks& ranks, const Threads& threads) {
   const std::vector<Duplicate> duplicates = find_duplicates(own.at.span(), threads);
   std::map<Index, std::uint64_t> least;  // of the numbers of equal points, by the first of them on this rank
   for (const Duplicate& each : duplicates) {
@@ -101,17 +97,16 @@ std::vector<Problem> engine::unusable_positions(const OwnPoints& own, Ranks& ran
   return of_all(here, ranks);
 }
 
-Status engine::status_of(const std::vector<Problem>& problems, FirstId first_id) {
+Status status_of(const std::vector<Problem>& problems, FirstId first_id) {
   if (problems.empty()) return Done{};
   return Error{ErrorKind::invalid_input, messages(problems, first_id.value)};
 }
 
-std::vector<Problem> find_problems(PartOfPoints&& points, int threads, Ranks& ranks) {
-  const Threads of_rank(thread_count(threads));
-  std::vector<Problem> problems = unusable_values(points, ranks, of_rank);
+std::vector<Problem> problems_of_points(PartOfPoints&& points, Ranks& ranks, const Threads& threads) {
+  std::vector<Problem> problems = unusable_values(points, ranks, threads);
   if (!problems.empty()) return problems;
   const CurveDivision division = divide_along_curve(points.points, ranks);
-  return unusable_positions(send_to_owners(std::move(points), division, ranks, of_rank), ranks, of_rank);
+  return unusable_positions(send_to_owners(std::move(points), division, ranks, threads), ranks, threads);
 }
 
-}  // namespace pardel
+}  // namespace pardel::engine

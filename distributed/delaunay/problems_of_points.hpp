@@ -7,7 +7,7 @@
 
 #include "../../core/part_of_points.hpp"
 #include "../../core/ranks.hpp"
-#include "../../parallel/concurrency/threads.hpp"
+#include "../../parallel/threads/threads.hpp"
 #include "../../parallel/validate.hpp"
 #include "own_points.hpp"
 
@@ -25,6 +25,9 @@ namespace pardel::engine {
 /// Equal points, and all_points_collinear. As find_problems() in one process, at most 10,000 for each rank.
 /// Precondition: the coordinates are usable.
 [[nodiscard]] std::vector<Problem> unusable_positions(const OwnPoints& own, Ranks& ranks, const Threads& threads);
+
+/// As find_problems() of a PartOfPoints (distributed.hpp). Uses up the points.
+[[nodiscard]] std::vector<Problem> problems_of_points(PartOfPoints&& points, Ranks& ranks, const Threads& threads);
 
 /// Done, or the error that lists the problems.
 [[nodiscard]] Status status_of(const std::vector<Problem>& problems, FirstId first_id);

@@ -11,7 +11,7 @@
 #include "../../core/support/point_order.hpp"
 #include "../../core/support/without_repetitions.hpp"
 #include "../../parallel/arithmetic/predicates.hpp"
-#include "../../parallel/concurrency/parallel_arrays.hpp"
+#include "../../parallel/threads/parallel_arrays.hpp"
 #include "own_points.hpp"
 
 namespace pardel::engine {

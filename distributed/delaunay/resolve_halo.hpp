@@ -2,7 +2,7 @@
 #pragma once
 
 #include "../../core/ranks.hpp"
-#include "../../parallel/concurrency/threads.hpp"
+#include "../../parallel/threads/threads.hpp"
 #include "curve_division.hpp"
 #include "local_delaunay.hpp"
 

@@ -7,7 +7,7 @@
 #include "../../core/part_of_points.hpp"
 #include "../../core/ranks.hpp"
 #include "../../core/result.hpp"
-#include "../../parallel/concurrency/threads.hpp"
+#include "../../parallel/threads/threads.hpp"
 #include "curve_division.hpp"
 #include "local_delaunay.hpp"
 #include "own_points.hpp"

@@ -6,7 +6,7 @@
 #include "../../core/support/answers_of_ranks.hpp"
 #include "../../parallel/arithmetic/between_ends.hpp"
 #include "../../parallel/conversion/export_mesh.hpp"
-#include "../../parallel/interpolation/background.hpp"
+#include "../../parallel/sizing/background.hpp"
 #include "../../parallel/triangulation/triangle_shape.hpp"
 
 namespace pardel::engine {

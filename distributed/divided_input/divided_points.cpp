@@ -5,6 +5,7 @@
 
 #include "../../core/support/collective.hpp"
 #include "../../core/support/exchange_lists.hpp"
+#include "../../parallel/scheduling/pending_triangles.hpp"
 #include "../../parallel/triangulation/triangle_shape.hpp"
 
 namespace pardel::engine {
@@ -46,26 +47,19 @@ int DividedPoints::home_before(TriangleId id, const Triangulation& t) const {
   return owner_before(least_corner(t, t.slots[id]), t);
 }
 
-bool DividedPoints::is_at_home(TriangleId id) const {
-  return ownership_ ? Distribution::is_at_home(id) : home_before(id, t_) == ranks_.rank();
-}
-
-Box DividedPoints::bounds_of_all(const Box& here) { return engine::bounds_of_all(here, ranks_); }
-
-void DividedPoints::take_largest(std::span<double> values) {
-  for (const std::vector<double>& of_rank : lists_of_all(std::vector(values.begin(), values.end()), ranks_))
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] = std::max(values[i], of_rank[i]);
+std::function<bool(TriangleId)> DividedPoints::counted() const {
+  return [this](TriangleId id) { return part_->holds(id) && home_before(id, t_) == ranks_.rank(); };
 }
 
 void DividedPoints::drop_halo() {
   for (const TriangleId id : std::exchange(start_.halo, {})) part_->drop(id);
 }
 
-Waiting DividedPoints::refine_coarse(std::span<const Deferred> due, const RefineCoarse& refine) {
+Waiting DividedPoints::refine_coarse(const CoarseWork& coarse) {
   drop_halo();
   std::vector<TriangleId> centre;
   std::vector<Name> own_names;
-  for (const Deferred& each : due) {
+  for (const Deferred& each : coarse.take_due()) {
     centre.push_back(each.triangle.id());
     own_names.push_back(part_->name_of(each.triangle.id()));
   }
@@ -89,7 +83,7 @@ Waiting DividedPoints::refine_coarse(std::span<const Deferred> due, const Refine
       creator, names,
       [&](const GatheredSubmesh& submesh) {
         std::vector<TriangleId> changed;
-        waiting = refine(submesh, changed);
+        waiting = coarse.refine_submesh(submesh, changed);
         return changed;
       },
       is_held_after,
@@ -112,9 +106,15 @@ Waiting DividedPoints::refine_coarse(std::span<const Deferred> due, const Refine
   return exchanged(std::move(entries));
 }
 
-Waiting DividedPoints::divide_anew(const Tiles& tiles, std::span<const double> work, Waiting&& waiting) {
+void DividedPoints::divide(const Division& division, PhaseRunner& /*runner*/) {
+  division.pending.add(divide_anew(division));
+}
+
+Waiting DividedPoints::divide_anew(const Division& division) {
+  const std::vector<double> work = division.work_of_cells();
+  Waiting waiting = division.pending.take();
   drop_halo();
-  set_owners(ownership_of(tiles, work));
+  set_owners(ownership_of(division.finest, work));
   std::vector<std::vector<TravellingEntry>> entries(static_cast<std::size_t>(ranks_.count()));
   const auto send = [&](QueuedTriangle triangle, TravellingEntry entry) {
     if (!triangle.is_current(t_)) return;

@@ -13,7 +13,7 @@ namespace pardel::engine {
 
 /// The Communicator of such a refinement. Until the finest tiles are divided, a rank holds the triangles with a corner
 /// that it owns by the division of the points; a triangle is at home where its least corner is owned.
-class DividedPoints : public Distribution, public CommunicatorInParts {
+class DividedPoints : public Distribution {
  public:
   /// `part` has to outlive the object. Its triangulation is refined, and it gets more segments.
   DividedPoints(Ranks& ranks, PartOfDomain& part, const CurveDivision& division)
@@ -23,14 +23,11 @@ class DividedPoints : public Distribution, public CommunicatorInParts {
         segments_(part.domain, Name::rank(ranks.rank()), part.common_segments) {}
 
   [[nodiscard]] bool begins_in_parts() const override { return true; }
-  [[nodiscard]] CommunicatorInParts* in_parts() override { return this; }
+  [[nodiscard]] Box bounds_of_all(const Box& here) override { return engine::bounds_of_all(here, ranks_); }
   void begin(PhaseRunner& runner) override;
-  [[nodiscard]] bool holds(TriangleId id) const override { return part_->holds(id); }
-  [[nodiscard]] bool is_at_home(TriangleId id) const override;
-  [[nodiscard]] Box bounds_of_all(const Box& here) override;
-  void take_largest(std::span<double> values) override;
-  [[nodiscard]] Waiting refine_coarse(std::span<const Deferred> due, const RefineCoarse& refine) override;
-  [[nodiscard]] Waiting divide_anew(const Tiles& tiles, std::span<const double> work, Waiting&& waiting) override;
+  [[nodiscard]] std::function<bool(TriangleId)> counted() const override;
+  [[nodiscard]] Waiting refine_coarse(const CoarseWork& coarse) override;
+  void divide(const Division& division, PhaseRunner& runner) override;
 
   [[nodiscard]] Index known_inputs() const override { return static_cast<Index>(start_.number.size()); }
   [[nodiscard]] InputPoint input_point(VertexId v) const override {
@@ -41,6 +38,7 @@ class DividedPoints : public Distribution, public CommunicatorInParts {
 
  private:
   struct TravellingEntry;
+  [[nodiscard]] Waiting divide_anew(const Division& division);
   [[nodiscard]] Waiting exchanged(std::vector<std::vector<TravellingEntry>> entries);
   /// They serve the assessment at the beginning; nobody tells this rank about their changes.
   void drop_halo();

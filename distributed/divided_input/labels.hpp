@@ -8,8 +8,8 @@
 
 #include "../../core/array.hpp"
 #include "../../core/ranks.hpp"
-#include "../../parallel/concurrency/threads.hpp"
 #include "../../parallel/construction/carve.hpp"
+#include "../../parallel/threads/threads.hpp"
 #include "../delaunay/local_delaunay.hpp"
 #include "../delaunay/own_points.hpp"
 #include "../delaunay/shared_hull.hpp"

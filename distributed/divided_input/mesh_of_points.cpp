@@ -1,3 +1,5 @@
+#include "mesh_of_points.hpp"
+
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -6,23 +8,17 @@
 #include <vector>
 
 #include "../../core/support/stopwatch.hpp"
-#include "../../parallel/mesher.hpp"
 #include "../../parallel/planning/run_plan.hpp"
-#include "../../parallel/planning/supervised.hpp"
 #include "../cdt/problems_of_domain.hpp"
 #include "../delaunay/problems_of_points.hpp"
 #include "../delaunay/triangulated_points.hpp"
-#include "../distributed.hpp"
 #include "../meshing/refine_in_ranks.hpp"
 #include "divided_background.hpp"
 #include "divided_points.hpp"
 #include "kept_by_readers.hpp"
 #include "part_of_domain.hpp"
 
-namespace pardel {
-
-using namespace engine;
-
+namespace pardel::engine {
 namespace {
 
 /// Takes the attributes, and copies what their interpolation needs of the rest. Nothing if there are no attributes.
@@ -36,8 +32,10 @@ std::optional<KeptDomain> kept_for_attributes(PartOfPslg& input, Ranks& ranks) {
                     {segments, 1, segments.size(), ranks}};
 }
 
-Result<MeshPiece> mesh_of(PartOfPslg&& input, const Goal& goal, const Options& options, ProgressMonitor& progress,
-                          Ranks& ranks) {
+}  // namespace
+
+Result<MeshPiece> mesh_of_points(PartOfPslg&& input, const Goal& goal, const Options& options,
+                                 ProgressMonitor& progress, Ranks& ranks) {
   Stopwatch watch;
   input.rest.first_id = input.points.first_id;
   const auto problems_of_all = [&](const std::vector<NumberedPoint>& points) {
@@ -80,29 +78,4 @@ Result<MeshPiece> mesh_of(PartOfPslg&& input, const Goal& goal, const Options& o
   return piece;
 }
 
-}  // namespace
-
-bool can_divide_points(const Goal& goal, const Options& options) {
-  const bool same_everywhere =
-      !goal.size && goal.sources.empty() && goal.grading == INFINITY && goal.feature_edges == 0;
-  const bool on_lattice = options.decomposition == Decomposition::automatic ||
-                          options.decomposition == Decomposition::lattice ||
-                          options.decomposition == Decomposition::none;
-  return same_everywhere && on_lattice && options.interior == Interior::refine && options.max_vertices == 0 &&
-         !options.after_sweep && !options.before_refinement;
-}
-
-Result<MeshPiece> mesh(PartOfPslg&& input, const Goal& goal, const Options& options, Ranks& ranks) {
-  if (Status in_range = check_goal(goal, options); !in_range) return in_range.error();
-  if (!can_divide_points(goal, options))
-    return Error{ErrorKind::usage,
-                 "points that are divided among ranks need bounds without a field of sizes, a lattice, and an interior "
-                 "that is refined"};
-  if (!input.rest.points.empty() || !input.rest.segments.empty())
-    return Error{ErrorKind::usage, "the part of a domain that all ranks have must have no points and no segments"};
-  return supervised(options, [&](const Options& safe, ProgressMonitor& progress) {
-    return mesh_of(std::move(input), goal, safe, progress, ranks);
-  });
-}
-
-}  // namespace pardel
+}  // namespace pardel::engine

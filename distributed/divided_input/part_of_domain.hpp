@@ -9,8 +9,8 @@
 #include "../../core/part_of_points.hpp"
 #include "../../core/ranks.hpp"
 #include "../../core/result.hpp"
-#include "../../parallel/concurrency/threads.hpp"
-#include "../../parallel/conversion/domain_triangulation.hpp"
+#include "../../parallel/construction/domain_triangulation.hpp"
+#include "../../parallel/threads/threads.hpp"
 #include "../delaunay/triangulated_points.hpp"
 #include "../subdomain/names.hpp"
 

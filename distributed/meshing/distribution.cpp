@@ -6,6 +6,9 @@
 #include "../../core/support/collective.hpp"
 #include "../../core/support/exchange_lists.hpp"
 #include "../../core/support/point_order.hpp"
+#include "../../parallel/quality/estimates.hpp"
+#include "../../parallel/scheduling/pending_triangles.hpp"
+#include "../../parallel/scheduling/refine_by_sweeps.hpp"
 #include "../../parallel/triangulation/triangle_shape.hpp"
 
 namespace pardel::engine {
@@ -24,6 +27,35 @@ Stopped changed_beyond_box(Index cell) {
 }
 
 }  // namespace
+
+void Distribution::add_up(std::span<std::uint64_t> values) {
+  if (is_in_parts()) ranks_.add_up(values);
+}
+
+void Distribution::add_up_estimates(std::span<double> estimates) {
+  if (!is_in_parts()) return;
+  std::vector<std::uint64_t> parts;
+  for (const double each : estimates) parts.push_back(static_cast<std::uint64_t>(each * parts_of_estimate));
+  ranks_.add_up(parts);
+  for (std::size_t i = 0; i < parts.size(); ++i) estimates[i] = static_cast<double>(parts[i]) / parts_of_estimate;
+}
+
+void Distribution::take_largest(std::span<double> values) {
+  if (!is_in_parts()) return;
+  for (const std::vector<double>& of_rank : lists_of_all(std::vector(values.begin(), values.end()), ranks_))
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = std::max(values[i], of_rank[i]);
+}
+
+Waiting Distribution::refine_coarse(const CoarseWork& work) {
+  work.refine_here();
+  return {};
+}
+
+void Distribution::divide(const Division& division, PhaseRunner& runner) {
+  divide(division.finest, division.work_of_cells(), runner);
+  division.pending.keep_if([&](TriangleId id) { return owner_of(t_.slots[id].v[0]) == ranks_.rank(); });
+  if (ranks_.rank() > 0) division.counts = {};  // what all ranks have done alike counts once
+}
 
 void Distribution::divide(const Tiles& tiles, std::span<const double> work, PhaseRunner& runner) {
   set_owners(ownership_of(tiles, work));
@@ -52,6 +84,7 @@ bool Distribution::is_held_by(int rank, const Triangulation& t, TriangleId id) c
 int Distribution::owner_of_triangle(TriangleId id) const { return owner_of(least_corner(t_, t_.slots[id])); }
 
 void Distribution::deliver(std::vector<PlannedTask>& tasks) {
+  if (!is_in_parts()) return;
   std::vector<std::vector<TravellingSeed>> seeds(ranks_.count());
   for (PlannedTask& task : tasks) {
     const int owner = ownership_->owner(task.cell);
@@ -92,6 +125,7 @@ void Distribution::deliver(std::vector<PlannedTask>& tasks) {
 }
 
 void Distribution::exchange_changes(std::vector<PlannedTask>& tasks) {
+  if (!is_in_parts()) return;
   std::vector<Outgoing> outgoing(ranks_.count());
   for (PlannedTask& task : tasks) {
     task.free.vertices.for_each_taken([&](IndexRange inserted) {
@@ -121,17 +155,17 @@ void Distribution::exchange_changes(std::vector<PlannedTask>& tasks) {
   part_->read(exchange(messages, ranks_));
 }
 
-void Distribution::refine_rest(std::span<const QueuedTriangle> rest, const RefineSubmesh& refine) {
+void Distribution::refine_rest(const RestOfWork& work_of_all) {
   std::vector<TriangleId> centre;
   std::vector<Name> own_names;
-  for (const QueuedTriangle triangle : rest) {
+  for (const QueuedTriangle triangle : work_of_all.take_rest()) {
     if (!triangle.is_current(t_)) continue;
     centre.push_back(triangle.id());
     own_names.push_back(part_->name_of(triangle.id()));
   }
   if (sum_of(own_names.size(), ranks_) == 0) return;
   const std::vector<Name> names = concatenated(lists_of_all(own_names, ranks_));
-  const SubmeshWork work{Name::rank(ranks_.count()), names, refine,
+  const SubmeshWork work{Name::rank(ranks_.count()), names, work_of_all.refine_submesh,
                          [&](int rank, const Triangulation& t, TriangleId id) { return is_held_by(rank, t, id); },
                          [&](const Subdomain& part, const Triangulation& t, std::span<const VertexId> inserted) {
                            std::vector<VertexId> by_place(inserted.begin(), inserted.end());

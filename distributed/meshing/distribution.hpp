@@ -19,16 +19,28 @@ class Distribution : public Communicator {
                std::span<const int> input_markers = {})
       : ranks_(ranks), t_(t), input_of_vertex_(input_of_vertex), input_markers_(input_markers) {}
 
-  void divide(const Tiles& tiles, std::span<const double> work, PhaseRunner& runner) override;
-  [[nodiscard]] bool is_at_home(TriangleId id) const override { return owner_of(t_.slots[id].v[0]) == ranks_.rank(); }
-  [[nodiscard]] bool is_first() const override { return ranks_.rank() == 0; }
   [[nodiscard]] int ranks() const override { return ranks_.count(); }
-  [[nodiscard]] virtual bool begins_in_parts() const { return false; }
-  void add_up(std::span<std::uint64_t> values) override { ranks_.add_up(values); }
+  void add_up(std::span<std::uint64_t> values) override;
+  void add_up_estimates(std::span<double> estimates) override;
+  void take_largest(std::span<double> values) override;
+  [[nodiscard]] Box bounds_of_all(const Box& here) override { return here; }
+  void begin(PhaseRunner& /*runner*/) override {}
+  [[nodiscard]] std::function<bool(TriangleId)> counted() const override { return {}; }
+  [[nodiscard]] Waiting refine_coarse(const CoarseWork& work) override;
+  void divide(const Division& division, PhaseRunner& runner) override;
   void deliver(std::vector<PlannedTask>& tasks) override;
   void exchange_changes(std::vector<PlannedTask>& tasks) override;
-  void refine_rest(std::span<const QueuedTriangle> rest, const RefineSubmesh& refine) override;
-  void finish() override { part_->finish(); }
+  void refine_rest(const RestOfWork& work) override;
+  void finish(Triangulation& /*t*/, const PhaseRunner& /*runner*/, const Threads& /*threads*/) override {
+    part_->finish();
+  }
+
+  /// Removes what this rank need not hold. Precondition: all ranks have the same mesh.
+  void divide(const Tiles& finest, std::span<const double> work, PhaseRunner& runner);
+  /// True if no rank has ever had the whole mesh.
+  [[nodiscard]] virtual bool begins_in_parts() const { return false; }
+  /// False as long as all ranks have the same mesh.
+  [[nodiscard]] bool is_in_parts() const { return part_.has_value(); }
 
   // After divide():
   [[nodiscard]] Ranks& network() const { return ranks_; }

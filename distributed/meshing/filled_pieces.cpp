@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "../../core/support/shortest.hpp"
-#include "../../parallel/concurrency/parallel_arrays.hpp"
-#include "../../parallel/scheduling/limits.hpp"
+#include "../../parallel/threads/parallel_arrays.hpp"
+#include "../../parallel/triangulation/limits.hpp"
 
 namespace pardel::engine {
 namespace {

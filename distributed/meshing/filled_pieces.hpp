@@ -7,8 +7,8 @@
 
 #include "../../parallel/filling/division.hpp"
 #include "../../parallel/filling/filled_round.hpp"
-#include "../../parallel/interpolation/background.hpp"
 #include "../../parallel/patches/lay_patches.hpp"
+#include "../../parallel/sizing/background.hpp"
 #include "../distributed.hpp"
 
 namespace pardel::engine {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "../../parallel/concurrency/parallel_arrays.hpp"
+#include "../../parallel/threads/parallel_arrays.hpp"
 
 namespace pardel::engine {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "../../parallel/concurrency/threads.hpp"
+#include "../../parallel/threads/threads.hpp"
 #include "distribution.hpp"
 
 namespace pardel::engine {

@@ -1,40 +1,23 @@
+#include "mesh_in_ranks.hpp"
+
 #include <algorithm>
-#include <functional>
 #include <optional>
 #include <utility>
 
 #include "../../core/support/collective.hpp"
 #include "../../core/support/exchange_lists.hpp"
 #include "../../core/support/stopwatch.hpp"
-#include "../../parallel/conversion/domain_triangulation.hpp"
-#include "../../parallel/filling/refine_domain.hpp"
-#include "../../parallel/mesher.hpp"
+#include "../../parallel/construction/domain_triangulation.hpp"
 #include "../../parallel/planning/run_plan.hpp"
-#include "../../parallel/planning/supervised.hpp"
-#include "../../parallel/scheduling/limits.hpp"
-#include "../distributed.hpp"
+#include "../../parallel/scheduling/refine_domain.hpp"
+#include "../../parallel/triangulation/limits.hpp"
 #include "filled_pieces.hpp"
 #include "gaps_in_ranks.hpp"
 #include "piece.hpp"
 #include "refine_in_ranks.hpp"
 
-namespace pardel {
-
-using namespace engine;
-
+namespace pardel::engine {
 namespace {
-
-using Visit = std::function<Status(MeshPiece&&, int)>;
-
-Error for_one_process(const char* what) {
-  return {ErrorKind::usage, std::string(what) + " works in one process only, not in several ranks"};
-}
-
-Status check_distributable(const Options& options) {
-  if (options.max_vertices > 0) return for_one_process("a limit on the number of vertices");
-  if (options.after_sweep) return for_one_process("a function that is called after each sweep");
-  return Done{};
-}
 
 /// What is around the patches is the same on all ranks, because the engine is deterministic. This verifies it.
 void check_alike(const Mesh& around, Ranks& ranks) {
@@ -48,7 +31,7 @@ void check_alike(const Mesh& around, Ranks& ranks) {
 class RunInRanks {
  public:
   RunInRanks(const Pslg& pslg, bool convex_hull, const Options& options, ProgressMonitor& progress, Ranks& ranks,
-             int pieces, const Visit& visit)
+             int pieces, const VisitPiece& visit)
       : pslg_(pslg),
         convex_hull_(convex_hull),
         options_(options),
@@ -152,35 +135,15 @@ class RunInRanks {
   Threads threads_;
   Ranks& ranks_;
   int pieces_;
-  const Visit& visit_;
+  const VisitPiece& visit_;
   Stopwatch watch_;
 };
 
 }  // namespace
 
-Status mesh_in_pieces(const ValidPslg& domain, const Goal& goal, const Options& options, Ranks& ranks, int pieces,
-                      const Visit& visit) {
-  if (Status in_range = check_goal(goal, options); !in_range) return in_range;
-  if (Status fits = check_distributable(options); !fits) return fits;
-  if (pieces < ranks.count())
-    return Error{ErrorKind::usage, "there must be at least as many pieces as ranks, " + std::to_string(ranks.count()) +
-                                       ", not " + std::to_string(pieces)};
-  return supervised(options, [&](const Options& safe, ProgressMonitor& progress) {
-    return RunInRanks(domain.pslg(), domain.convex_hull() || goal.convex_hull, safe, progress, ranks, pieces, visit)
-        .run(goal);
-  });
+Status mesh_in_ranks(const Pslg& pslg, bool convex_hull, const Goal& goal, const Options& options,
+                     ProgressMonitor& progress, Ranks& ranks, int pieces, const VisitPiece& visit) {
+  return RunInRanks(pslg, convex_hull, options, progress, ranks, pieces, visit).run(goal);
 }
 
-Result<MeshPiece> mesh(const ValidPslg& domain, const Goal& goal, const Options& options, Ranks& ranks) {
-  MeshPiece piece;
-  const Status made = mesh_in_pieces(domain, goal, options, ranks, ranks.count(), [&](MeshPiece&& only, int) {
-    piece = std::move(only);
-    return Status(Done{});
-  });
-  if (!made) return made.error();
-  return piece;
-}
-
-Digest digest(const MeshPiece& piece, Ranks& ranks) { return sum_of(digest(piece.mesh), ranks); }
-
-}  // namespace pardel
+}  // namespace pardel::engine

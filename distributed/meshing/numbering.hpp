@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "../../parallel/concurrency/index_allocator.hpp"
+#include "../../parallel/threads/index_allocator.hpp"
 
 namespace pardel::engine {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "../../core/support/without_repetitions.hpp"
-#include "../../parallel/concurrency/hilbert_order.hpp"
+#include "../../parallel/decomposition/hilbert_order.hpp"
 
 namespace pardel::engine {
 namespace {

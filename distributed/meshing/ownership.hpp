@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "../../parallel/concurrency/tiles.hpp"
+#include "../../parallel/decomposition/tiles.hpp"
 
 namespace pardel::engine {
 

@@ -1,8 +1,8 @@
 // The piece of the mesh that a rank owns, as plain values.
 #pragma once
 
-#include "../../parallel/conversion/domain_triangulation.hpp"
-#include "../../parallel/filling/refine_domain.hpp"
+#include "../../parallel/construction/domain_triangulation.hpp"
+#include "../../parallel/scheduling/refine_domain.hpp"
 #include "../distributed.hpp"
 #include "distribution.hpp"
 

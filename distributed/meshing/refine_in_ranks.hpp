@@ -51,7 +51,7 @@ namespace pardel::engine {
                                                        Stopwatch& watch) {
   Ranks& ranks = distribution.network();
   Result<RefineCounts> counts =
-      refine_by_sweeps(domain.triangulation, domain.segments, criteria, options, progress, {}, {}, &distribution);
+      refine_by_sweeps(domain.triangulation, domain.segments, criteria, options, progress, {}, {}, distribution);
   if (!counts) return counts.error();
   report.refine_seconds = watch.lap();
   std::vector<EdgeRef> undecided;

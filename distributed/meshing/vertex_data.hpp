@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "../../parallel/conversion/domain_triangulation.hpp"
+#include "../../parallel/construction/domain_triangulation.hpp"
 #include "distribution.hpp"
 #include "members.hpp"
 #include "numbering.hpp"

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "../../core/support/message.hpp"
-#include "../../parallel/concurrency/sparse_array.hpp"
-#include "../../parallel/conversion/domain_triangulation.hpp"
+#include "../../parallel/construction/domain_triangulation.hpp"
+#include "../../parallel/threads/sparse_array.hpp"
 #include "names.hpp"
 
 namespace pardel::engine {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "../../parallel/concurrency/sparse_array.hpp"
+#include "../../parallel/threads/sparse_array.hpp"
 
 namespace pardel::engine {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "../../core/support/message.hpp"
-#include "../../parallel/concurrency/index_allocator.hpp"
+#include "../../parallel/threads/index_allocator.hpp"
 #include "../../parallel/triangulation/triangulation.hpp"
 #include "held_segments.hpp"
 #include "names.hpp"

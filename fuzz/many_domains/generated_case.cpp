@@ -9,6 +9,7 @@
 
 #include "../../parallel/mesher.hpp"
 #include "../../parallel/repair.hpp"
+#include "../../parallel/sizes.hpp"
 #include "../../properties/domains/generators/goals.hpp"
 #include "../../properties/domains/generators/mixed_scales.hpp"
 #include "../distances.hpp"

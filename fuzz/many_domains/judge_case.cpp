@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "../../parallel/mesher.hpp"
+#include "../../parallel/sizes.hpp"
 #include "../../properties/theorems/framework/mesh_of_ranks.hpp"
 #include "../judgement.hpp"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "../concurrency/parallel_arrays.hpp"
+#include "../threads/parallel_arrays.hpp"
 #include "../triangulation/triangulation.hpp"
 
 namespace pardel::engine {

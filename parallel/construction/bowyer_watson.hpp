@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "../concurrency/lattice.hpp"
+#include "../decomposition/lattice.hpp"
 #include "../triangulation/cavity.hpp"
 #include "../triangulation/triangulation.hpp"
 #include "insertion_order.hpp"

@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-#include "../concurrency/parallel_arrays.hpp"
+#include "../threads/parallel_arrays.hpp"
 #include "../triangulation/locate.hpp"
 #include "flood.hpp"
 #include "remove_triangles.hpp"

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "../concurrency/threads.hpp"
+#include "../threads/threads.hpp"
 #include "../triangulation/triangulation.hpp"
 
 namespace pardel::engine {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "../arithmetic/predicates.hpp"
-#include "../concurrency/threads.hpp"
+#include "../threads/threads.hpp"
 #include "../triangulation/triangulation.hpp"
 
 namespace pardel::engine {

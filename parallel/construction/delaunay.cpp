@@ -10,9 +10,9 @@
 
 #include "../../core/support/shortest.hpp"
 #include "../arithmetic/predicates.hpp"
-#include "../concurrency/bounding_box.hpp"
-#include "../concurrency/hilbert_order.hpp"
-#include "../concurrency/parallel_arrays.hpp"
+#include "../decomposition/bounding_box.hpp"
+#include "../decomposition/hilbert_order.hpp"
+#include "../threads/parallel_arrays.hpp"
 #include "begin_with_latest.hpp"
 #include "bowyer_watson.hpp"
 #include "point_tiles.hpp"

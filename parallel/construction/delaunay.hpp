@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "../../core/result.hpp"
-#include "../concurrency/threads.hpp"
+#include "../threads/threads.hpp"
 #include "../triangulation/triangulation.hpp"
 #include "insertion_order.hpp"
 
@@ -23,10 +23,10 @@ inline constexpr std::size_t points_per_tile = 8'000;
 /// Triangulates points by incremental insertion in biased randomized order (insertion_order.hpp), in expected
 /// O(n log n) time for every input.
 ///
-/// The points of a round are inserted tile by tile, where a tile is a cell of a lattice (concurrency/lattice.hpp) with
-/// about `per_tile` points. The tiles of one colour are processed concurrently, on up to `threads` threads. A point
-/// whose insertion would leave the box of its tile is inserted after all tiles are done. If the lattice would have
-/// fewer than 36 tiles, the tiles are made smaller, down to `per_tile` / 8 points.
+/// The points of a round are inserted tile by tile, where a tile is a cell of a lattice (decomposition/lattice.hpp)
+/// with about `per_tile` points. The tiles of one colour are processed concurrently, on up to `threads` threads. A
+/// point whose insertion would leave the box of its tile is inserted after all tiles are done. If the lattice would
+/// have fewer than 36 tiles, the tiles are made smaller, down to `per_tile` / 8 points.
 ///
 /// The triangles depend on the points alone: where points are cocircular, the order of insertion decides, as if they
 /// were inserted one by one. Precondition: the coordinates are in the range of the predicates. Errors: invalid_input

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "../../core/result.hpp"
-#include "../concurrency/threads.hpp"
+#include "../threads/threads.hpp"
 #include "../triangulation/triangulation.hpp"
 
 namespace pardel::engine {

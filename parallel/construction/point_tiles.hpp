@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "../concurrency/quadtree.hpp"
+#include "../decomposition/quadtree.hpp"
 
 namespace pardel::engine {
 

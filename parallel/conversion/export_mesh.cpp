@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "../arithmetic/between_ends.hpp"
-#include "../concurrency/hilbert_order.hpp"
-#include "../concurrency/parallel_arrays.hpp"
-#include "../interpolation/background.hpp"
+#include "../decomposition/hilbert_order.hpp"
+#include "../sizing/background.hpp"
+#include "../threads/parallel_arrays.hpp"
 
 namespace pardel::engine {
 namespace {

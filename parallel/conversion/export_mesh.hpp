@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "../../core/mesh.hpp"
-#include "../concurrency/threads.hpp"
-#include "../interpolation/background.hpp"
-#include "domain_triangulation.hpp"
+#include "../construction/domain_triangulation.hpp"
+#include "../sizing/background.hpp"
+#include "../threads/threads.hpp"
 
 namespace pardel::engine {
 

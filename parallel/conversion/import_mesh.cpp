@@ -9,8 +9,8 @@
 #include "../../core/support/mesh_edges.hpp"
 #include "../../core/support/name_of_triangle.hpp"
 #include "../arithmetic/predicates.hpp"
-#include "../scheduling/limits.hpp"
 #include "../triangulation/flips.hpp"
+#include "../triangulation/limits.hpp"
 #include "join_subsegments.hpp"
 
 namespace pardel::engine {

@@ -3,8 +3,8 @@
 
 #include "../../core/mesh.hpp"
 #include "../../core/result.hpp"
-#include "../concurrency/threads.hpp"
-#include "domain_triangulation.hpp"
+#include "../construction/domain_triangulation.hpp"
+#include "../threads/threads.hpp"
 
 namespace pardel::engine {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "../../core/mesh.hpp"
-#include "../concurrency/threads.hpp"
 #include "../segments/segment_pieces.hpp"
+#include "../threads/threads.hpp"
 #include "../triangulation/triangulation.hpp"
 
 namespace pardel::engine {

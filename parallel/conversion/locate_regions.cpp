@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "../../core/support/mesh_edges.hpp"
-#include "../interpolation/background.hpp"
+#include "../sizing/background.hpp"
 
 namespace pardel::engine {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "../../core/mesh.hpp"
-#include "../concurrency/threads.hpp"
+#include "../threads/threads.hpp"
 
 namespace pardel::engine {
 

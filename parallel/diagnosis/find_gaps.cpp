@@ -13,8 +13,8 @@
 
 #include "../arithmetic/distance.hpp"
 #include "../arithmetic/predicates.hpp"
-#include "../concurrency/bounding_box.hpp"
-#include "../concurrency/parallel_arrays.hpp"
+#include "../decomposition/bounding_box.hpp"
+#include "../threads/parallel_arrays.hpp"
 #include "../triangulation/triangle_shape.hpp"
 #include "extents_by_scale.hpp"
 #include "straight_walk.hpp"

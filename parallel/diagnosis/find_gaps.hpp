@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "../conversion/domain_triangulation.hpp"
+#include "../construction/domain_triangulation.hpp"
 #include "../gaps.hpp"
 
 namespace pardel::engine {

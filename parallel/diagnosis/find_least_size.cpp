@@ -8,7 +8,7 @@
 
 #include "../arithmetic/distance.hpp"
 #include "../arithmetic/floor.hpp"
-#include "../concurrency/parallel_arrays.hpp"
+#include "../threads/parallel_arrays.hpp"
 #include "../triangulation/triangle_shape.hpp"
 #include "straight_walk.hpp"
 

@@ -1,7 +1,7 @@
 // Finds a lower bound on the size of the mesh of a domain in its constrained Delaunay triangulation.
 #pragma once
 
-#include "../conversion/domain_triangulation.hpp"
+#include "../construction/domain_triangulation.hpp"
 #include "../least_size.hpp"
 
 namespace pardel::engine {

@@ -1,7 +1,7 @@
 // The width of the narrowest connected part of a domain.
 #pragma once
 
-#include "../conversion/domain_triangulation.hpp"
+#include "../construction/domain_triangulation.hpp"
 
 namespace pardel::engine {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "../arithmetic/box.hpp"
-#include "../conversion/domain_triangulation.hpp"
+#include "../construction/domain_triangulation.hpp"
 #include "../segments/reach.hpp"
 #include "find_gaps.hpp"
 

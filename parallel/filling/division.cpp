@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "../concurrency/parallel_for.hpp"
+#include "../threads/parallel_for.hpp"
 
 namespace pardel::engine {
 namespace {

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "../../core/mesh.hpp"
-#include "../concurrency/threads.hpp"
 #include "../patches/find_patches.hpp"
 #include "../patches/write_strips.hpp"
+#include "../threads/threads.hpp"
 
 namespace pardel::engine {
 

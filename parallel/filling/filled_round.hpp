@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "../scheduling/refine_domain.hpp"
 #include "filling.hpp"
-#include "refine_domain.hpp"
 
 namespace pardel::engine {
 

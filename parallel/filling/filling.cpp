@@ -10,7 +10,7 @@
 #include "../patches/cut_out.hpp"
 #include "../patches/find_patches.hpp"
 #include "../patches/lay_patches.hpp"
-#include "../scheduling/limits.hpp"
+#include "../triangulation/limits.hpp"
 
 namespace pardel::engine {
 namespace {

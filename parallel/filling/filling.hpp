@@ -14,7 +14,7 @@
 #include <span>
 #include <vector>
 
-#include "../conversion/domain_triangulation.hpp"
+#include "../construction/domain_triangulation.hpp"
 #include "../options.hpp"
 #include "../patches/find_patches.hpp"
 

@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "../concurrency/threads.hpp"
-#include "../criteria/criteria.hpp"
 #include "../options.hpp"
+#include "../quality/criteria.hpp"
+#include "../threads/threads.hpp"
 #include "../triangulation/domain_segments.hpp"
 #include "../triangulation/triangulation.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "../scheduling/limits.hpp"
+#include "../triangulation/limits.hpp"
 
 namespace pardel::engine {
 

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "../concurrency/parallel_arrays.hpp"
 #include "../construction/flood.hpp"
 #include "../construction/remove_triangles.hpp"
+#include "../threads/parallel_arrays.hpp"
 
 namespace pardel::engine {
 namespace {

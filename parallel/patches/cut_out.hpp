@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "../concurrency/threads.hpp"
+#include "../threads/threads.hpp"
 #include "../triangulation/triangulation.hpp"
 #include "border_edges.hpp"
 

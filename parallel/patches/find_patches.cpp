@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "../arithmetic/predicates.hpp"
-#include "../concurrency/bounding_box.hpp"
-#include "../concurrency/parallel_arrays.hpp"
+#include "../decomposition/bounding_box.hpp"
+#include "../threads/parallel_arrays.hpp"
 
 namespace pardel::engine {
 namespace {

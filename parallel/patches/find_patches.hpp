@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "../concurrency/threads.hpp"
+#include "../threads/threads.hpp"
 #include "../triangulation/triangulation.hpp"
 #include "patch.hpp"
 

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <utility>
 
-#include "../concurrency/parallel_arrays.hpp"
+#include "../threads/parallel_arrays.hpp"
 #include "border_edges.hpp"
 #include "write_strips.hpp"
 

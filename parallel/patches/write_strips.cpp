@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "../concurrency/parallel_arrays.hpp"
+#include "../threads/parallel_arrays.hpp"
 
 namespace pardel::engine {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "../../core/mesh.hpp"
-#include "../concurrency/threads.hpp"
+#include "../threads/threads.hpp"
 #include "find_patches.hpp"
 
 namespace pardel::engine {

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "../arithmetic/floor.hpp"
-#include "../concurrency/parallel_for.hpp"
-#include "../criteria/estimates.hpp"
-#include "../criteria/parts.hpp"
+#include "../quality/estimates.hpp"
+#include "../quality/parts.hpp"
+#include "../threads/parallel_for.hpp"
 
 namespace pardel::engine {
 namespace {

@@ -1,8 +1,8 @@
 // How many triangles a mesh is going to have, before it is made.
 #pragma once
 
-#include "../concurrency/threads.hpp"
-#include "../criteria/criteria.hpp"
+#include "../quality/criteria.hpp"
+#include "../threads/threads.hpp"
 #include "../triangulation/triangulation.hpp"
 
 namespace pardel::engine {

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "../conversion/domain_triangulation.hpp"
-#include "../interpolation/local_bound.hpp"
+#include "../construction/domain_triangulation.hpp"
+#include "../sizing/local_bound.hpp"
 
 namespace pardel::engine {
 namespace {

@@ -3,12 +3,12 @@
 
 #include <span>
 
-#include "../concurrency/threads.hpp"
-#include "../mesher.hpp"
+#include "../sizes.hpp"
+#include "../threads/threads.hpp"
 
 namespace pardel::engine {
 
-/// As region_sizes() (mesher.hpp). `mesh`: a mesh of the domain with its regions, in which places are searched. Without
+/// As region_sizes() (sizes.hpp). `mesh`: a mesh of the domain with its regions, in which places are searched. Without
 /// thin triangles, which many places are near to, a search takes O(log n). Preconditions: the Pslg is valid; there is
 /// one length > 0 per region.
 [[nodiscard]] Result<RegionSizes> sizes_of_faces(const Pslg& pslg, bool convex_hull, std::span<const double> lengths,

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <utility>
 
-#include "../concurrency/parallel_for.hpp"
-#include "../conversion/guarded.hpp"
 #include "../diagnosis/find_least_size.hpp"
 #include "../filling/filling.hpp"
-#include "../interpolation/coverage.hpp"
-#include "../interpolation/graded_size.hpp"
 #include "../mesher.hpp"
+#include "../sizing/coverage.hpp"
+#include "../sizing/graded_size.hpp"
+#include "../sizing/guarded.hpp"
+#include "../threads/parallel_for.hpp"
 #include "expected_size.hpp"
 
 namespace pardel::engine {

@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "../conversion/domain_triangulation.hpp"
-#include "../criteria/criteria.hpp"
+#include "../construction/domain_triangulation.hpp"
 #include "../options.hpp"
+#include "../quality/criteria.hpp"
 
 namespace pardel::engine {
 

@@ -3,9 +3,9 @@
 
 #include <utility>
 
-#include "../concurrency/parallel_for.hpp"
-#include "../conversion/guarded.hpp"
 #include "../scheduling/progress_monitor.hpp"
+#include "../sizing/guarded.hpp"
+#include "../threads/parallel_for.hpp"
 
 namespace pardel::engine {
 

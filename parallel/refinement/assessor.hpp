@@ -7,9 +7,9 @@
 
 #include "../arithmetic/box.hpp"
 #include "../arithmetic/floor.hpp"
-#include "../criteria/criteria.hpp"
-#include "../criteria/small_angles.hpp"
 #include "../options.hpp"
+#include "../quality/criteria.hpp"
+#include "../quality/small_angles.hpp"
 #include "../triangulation/domain_segments.hpp"
 #include "bucket_queue.hpp"
 #include "queued_triangle.hpp"

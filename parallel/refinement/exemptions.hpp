@@ -4,10 +4,10 @@
 #include <functional>
 #include <vector>
 
-#include "../concurrency/threads.hpp"
-#include "../criteria/criteria.hpp"
 #include "../options.hpp"
+#include "../quality/criteria.hpp"
 #include "../report.hpp"
+#include "../threads/threads.hpp"
 #include "../triangulation/domain_segments.hpp"
 #include "../triangulation/triangulation.hpp"
 

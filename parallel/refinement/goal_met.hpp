@@ -4,11 +4,11 @@
 #include <optional>
 #include <vector>
 
-#include "../concurrency/threads.hpp"
-#include "../criteria/criteria.hpp"
-#include "../criteria/exact_goal.hpp"
 #include "../options.hpp"
+#include "../quality/criteria.hpp"
+#include "../quality/exact_goal.hpp"
 #include "../report.hpp"
+#include "../threads/threads.hpp"
 #include "../triangulation/domain_segments.hpp"
 #include "../triangulation/triangulation.hpp"
 

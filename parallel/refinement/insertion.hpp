@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "../arithmetic/floor.hpp"
-#include "../concurrency/index_allocator.hpp"
-#include "../concurrency/lattice.hpp"
-#include "../criteria/criteria.hpp"
+#include "../decomposition/lattice.hpp"
+#include "../quality/criteria.hpp"
+#include "../threads/index_allocator.hpp"
 #include "../triangulation/cavity.hpp"
 #include "../triangulation/triangulation.hpp"
 

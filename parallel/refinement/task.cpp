@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "../criteria/split_candidates.hpp"
+#include "../quality/split_candidates.hpp"
 #include "../triangulation/held.hpp"
 
 namespace pardel::engine {

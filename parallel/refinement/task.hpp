@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "../concurrency/tiles.hpp"
+#include "../decomposition/tiles.hpp"
 #include "assessor.hpp"
 #include "bucket_queue.hpp"
 #include "deferral.hpp"

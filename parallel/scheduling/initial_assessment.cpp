@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <vector>
 
-#include "../concurrency/parallel_arrays.hpp"
-#include "../concurrency/parallel_for.hpp"
-#include "../criteria/estimates.hpp"
-#include "../criteria/parts.hpp"
+#include "../quality/estimates.hpp"
+#include "../quality/parts.hpp"
+#include "../threads/parallel_arrays.hpp"
+#include "../threads/parallel_for.hpp"
 
 namespace pardel::engine {
 namespace {

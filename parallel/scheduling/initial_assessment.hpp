@@ -4,9 +4,9 @@
 #include <functional>
 
 #include "../../core/array.hpp"
-#include "../concurrency/lattice.hpp"
-#include "../concurrency/threads.hpp"
+#include "../decomposition/lattice.hpp"
 #include "../refinement/deferral.hpp"
+#include "../threads/threads.hpp"
 
 namespace pardel::engine {
 

@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "../concurrency/lattice.hpp"
-#include "../concurrency/quadtree.hpp"
+#include "../decomposition/lattice.hpp"
+#include "../decomposition/quadtree.hpp"
 #include "../options.hpp"
 #include "../refinement/deferral.hpp"
 #include "pending_triangles.hpp"

@@ -5,9 +5,9 @@
 #include <numeric>
 #include <utility>
 
-#include "../concurrency/parallel_arrays.hpp"
-#include "../concurrency/parallel_for.hpp"
-#include "../criteria/parts.hpp"
+#include "../quality/parts.hpp"
+#include "../threads/parallel_arrays.hpp"
+#include "../threads/parallel_for.hpp"
 #include "take_due.hpp"
 
 namespace pardel::engine {

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "../../core/array.hpp"
-#include "../concurrency/tiles.hpp"
+#include "../decomposition/tiles.hpp"
 #include "../refinement/deferral.hpp"
-#include "communicator.hpp"
 #include "phase.hpp"
+#include "waiting.hpp"
 
 namespace pardel::engine {
 

@@ -7,7 +7,8 @@
 #include <numeric>
 #include <utility>
 
-#include "../concurrency/parallel_for.hpp"
+#include "../quality/estimates.hpp"
+#include "../threads/parallel_for.hpp"
 #include "communicator.hpp"
 
 namespace pardel::engine {
@@ -60,12 +61,13 @@ void sort_by_place(const Triangulation& t, std::vector<QueuedTriangle>& triangle
 }
 
 PhaseRunner::PhaseRunner(Triangulation& t, const Assessor& assessor, const Criteria& criteria, const Options& options,
-                         const Threads& threads, const Schedule& schedule)
+                         const Threads& threads, const Schedule& schedule, Communicator& communicator)
     : t_(t),
       assessor_(assessor),
       criteria_(criteria),
       options_(options),
       schedule_(schedule),
+      communicator_(communicator),
       threads_(threads),
       vertices_(static_cast<Index>(t.points.size()), most_vertices(t, options)),
       triangles_(static_cast<Index>(t.slots.size()), max_engine_triangles) {
@@ -88,10 +90,8 @@ std::vector<PlannedTask> PhaseRunner::plan(const Tiles& tiles, unsigned colour, 
       tasks.back().seeds = std::exchange(seeds[cell], {});
     }
   parallel_for(threads_, tasks.size(), [&](std::size_t i, int) { select_seeds(tasks[i], tiles); });
-  if (communicator_ != nullptr) {
-    add_up_estimates(wanted, *communicator_);
-    communicator_->deliver(tasks);
-  }
+  communicator_.add_up_estimates(wanted);
+  communicator_.deliver(tasks);
   for (PlannedTask& task : tasks) expect_insertions(task, tiles, later, wanted);
   return tasks;
 }

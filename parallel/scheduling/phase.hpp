@@ -6,9 +6,9 @@
 #include <memory>
 #include <vector>
 
-#include "../concurrency/index_allocator.hpp"
-#include "../concurrency/threads.hpp"
 #include "../refinement/task.hpp"
+#include "../threads/index_allocator.hpp"
+#include "../threads/threads.hpp"
 
 namespace pardel::engine {
 
@@ -52,10 +52,7 @@ void sort_by_place(const Triangulation& t, std::vector<QueuedTriangle>& triangle
 class PhaseRunner {
  public:
   PhaseRunner(Triangulation& t, const Assessor& assessor, const Criteria& criteria, const Options& options,
-              const Threads& threads, const Schedule& schedule);
-
-  /// From now on, the phases are those of several ranks. Precondition: the mesh has been divided.
-  void set_communicator(Communicator* communicator) { communicator_ = communicator; }
+              const Threads& threads, const Schedule& schedule, Communicator& communicator);
 
   /// See Task::begin_submesh().
   void begin_submesh() {
@@ -63,7 +60,7 @@ class PhaseRunner {
   }
 
   /// Plans one task for each cell of the colour that has seeds. Moves the seeds that are current and lie in the box
-  /// into the tasks. With a communicator: collective.
+  /// into the tasks. Collective.
   [[nodiscard]] std::vector<PlannedTask> plan(const Tiles& tiles, unsigned colour, const Deferrals& later,
                                               SeedsByCell& seeds) const;
 
@@ -94,7 +91,7 @@ class PhaseRunner {
   const Criteria& criteria_;
   const Options& options_;
   const Schedule& schedule_;
-  Communicator* communicator_ = nullptr;
+  Communicator& communicator_;
   Threads threads_;
   std::vector<std::unique_ptr<Task>> tasks_;  ///< one per thread
   IndexAllocator vertices_, triangles_;

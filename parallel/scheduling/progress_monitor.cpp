@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "limits.hpp"
+#include "../triangulation/limits.hpp"
 
 namespace pardel::engine {
 

@@ -4,8 +4,8 @@
 #include <atomic>
 #include <cstdint>
 
-#include "../concurrency/threads.hpp"
 #include "../options.hpp"
+#include "../threads/threads.hpp"
 
 namespace pardel::engine {
 

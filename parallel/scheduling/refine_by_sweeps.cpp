@@ -3,15 +3,16 @@
 #include <array>
 #include <utility>
 
-#include "../concurrency/bounding_box.hpp"
-#include "../concurrency/lattice_levels.hpp"
-#include "../triangulation/compact.hpp"
+#include "../decomposition/bounding_box.hpp"
+#include "../decomposition/lattice_levels.hpp"
+#include "../quality/estimates.hpp"
 #include "../triangulation/held.hpp"
+#include "../triangulation/limits.hpp"
 #include "../triangulation/radii.hpp"
 #include "communicator.hpp"
 #include "initial_assessment.hpp"
 #include "level_rules.hpp"
-#include "limits.hpp"
+#include "one_process.hpp"
 #include "sweeper.hpp"
 
 namespace pardel::engine {
@@ -21,16 +22,25 @@ namespace {
 /// all work lies around a point where four cells of sixteen meet, the factor is 4.
 constexpr double most_overload = 3;
 
+bool prefers_quadtree(const Lattice& finest, const Triangulation& t, const RefinementJob& job,
+                      const Assessor& assessor) {
+  if (job.options.decomposition == Decomposition::quadtree ||
+      job.options.decomposition == Decomposition::paper_quadtree)
+    return true;
+  const bool may = job.options.decomposition == Decomposition::automatic && job.options.cells[0] == 0;
+  return may && job.criteria.depends_on_place() && finest.cells() > 1 &&
+         overload(t, job.criteria, assessor, finest, job.progress.threads()) > most_overload;
+}
+
 /// Takes a refinement through the levels of a decomposition: which tiles they have, and what is split on each.
 class Refinement {
  public:
-  Refinement(const RefinementJob& job, Triangulation& t, const DomainSegments& segments, Communicator* communicator)
+  Refinement(const RefinementJob& job, Triangulation& t, const DomainSegments& segments, Communicator& communicator)
       : job_(job),
         t_(t),
         segments_(segments),
         communicator_(communicator),
-        in_parts_(communicator == nullptr ? nullptr : communicator->in_parts()),
-        sweeper_(job, t, segments, job.progress.threads()) {}
+        sweeper_(job, t, segments, job.progress.threads(), communicator) {}
 
   Status run() {
     const Box bounds = bounds_of_all();
@@ -39,23 +49,17 @@ class Refinement {
     sweeper_.counts().left_alone = initial.left_alone;
     sweeper_.pending().defer(std::move(initial.bad));
     const double whole = initial.estimates.lower_bound + static_cast<double>(job_.progress.triangles_aside());
-    const double needed = communicator_ == nullptr ? whole : whole / communicator_->ranks();
-    if (Status fits = check_size(needed, job_.options); !fits) return fits;
+    if (Status fits = check_size(whole / communicator_.ranks(), job_.options); !fits) return fits;
     const Lattice finest = finest_lattice(bounds, initial.estimates.without_angle_bound, job_.options);
     job_.progress.start(initial.estimates.with_angle_bound, sweeper_.runner().vertices().in_use(),
                         sweeper_.runner().triangles().in_use());
 
-    if (prefers_quadtree(finest))
+    if (prefers_quadtree(finest, t_, job_, sweeper_.assessor()))
       refine_in_quadtree(bounds);
     else
       refine_in_lattice(bounds, finest);
-    if (communicator_ == nullptr) {
-      compact(t_, IndexMoves(sweeper_.runner().vertices()), IndexMoves(sweeper_.runner().triangles()),
-              sweeper_.threads());
-    } else {
-      add_up_counts();
-      communicator_->finish();
-    }
+    sweeper_.add_up_counts();
+    communicator_.finish(t_, sweeper_.runner(), sweeper_.threads());
     // A triangle is left over if its split point lies in no triangle, if it is blocked, or if the refinement ended
     // early.
     sweeper_.counts().left_alone = sweeper_.counts().left_alone || sweeper_.pending().any_needs_larger_box();
@@ -68,29 +72,18 @@ class Refinement {
  private:
   [[nodiscard]] Box bounds_of_all() {
     const Box here = bounding_box(sweeper_.threads(), t_.points.size(), [&](std::size_t v) { return t_.points[v]; });
-    return in_parts_ != nullptr ? in_parts_->bounds_of_all(here) : here;
+    return communicator_.bounds_of_all(here);
   }
 
   [[nodiscard]] InitialAssessment assess() {
-    if (in_parts_ == nullptr) return assess_all(t_, job_.criteria, sweeper_.assessor(), sweeper_.threads());
-    in_parts_->begin(sweeper_.runner());
+    communicator_.begin(sweeper_.runner());
     InitialAssessment initial =
-        assess_all(t_, job_.criteria, sweeper_.assessor(), sweeper_.threads(),
-                   [&](TriangleId id) { return in_parts_->holds(id) && communicator_->is_at_home(id); });
+        assess_all(t_, job_.criteria, sweeper_.assessor(), sweeper_.threads(), communicator_.counted());
     TriangleEstimates& e = initial.estimates;
     std::array sums{e.without_angle_bound, e.with_angle_bound, e.lower_bound};
-    add_up_estimates(sums, *communicator_);
+    communicator_.add_up_estimates(sums);
     e = {sums[0], sums[1], sums[2]};
     return initial;
-  }
-
-  [[nodiscard]] bool prefers_quadtree(const Lattice& finest) const {
-    if (job_.options.decomposition == Decomposition::quadtree ||
-        job_.options.decomposition == Decomposition::paper_quadtree)
-      return true;
-    const bool may = job_.options.decomposition == Decomposition::automatic && job_.options.cells[0] == 0;
-    return may && job_.criteria.depends_on_place() && finest.cells() > 1 &&
-           overload(t_, job_.criteria, sweeper_.assessor(), finest, sweeper_.threads()) > most_overload;
   }
 
   void refine_in_lattice(const Box& bounds, const Lattice& finest) {
@@ -100,7 +93,7 @@ class Refinement {
     lay_finest(bounds, levels);
     const Deferral shorter_half{.last_key = median_key()};
     sweeper_.pending().add(std::exchange(waiting_, {}));
-    if (communicator_ != nullptr) divide(levels.back());
+    divide(levels.back());
     refine_on_finest(levels.back(), shorter_half);
     go_up(levels);
   }
@@ -123,7 +116,7 @@ class Refinement {
                                  largest_radii(t_, sweeper_.runner().triangles(), sweeper_.threads()), sweeper_.made());
     std::vector<Deferral> shorter_half;
     for (const unsigned key : sweeper_.pending().median_keys(levels.back())) shorter_half.push_back({.last_key = key});
-    if (communicator_ != nullptr) divide(levels.back());
+    divide(levels.back());
     refine_on_finest(levels.back(), Deferrals(std::move(shorter_half)));
     go_up(levels);
   }
@@ -131,13 +124,27 @@ class Refinement {
   /// Splits, on each level, the triangles that are too long for the next finer level. Triangles that are short enough
   /// wait for a finer level. Most triangles of a fine input are short from the start. They are taken out first, so that
   /// the coarse levels do not examine them. (With the paper's decomposition, levels compare circumradii instead of
-  /// lengths, and no triangle is taken out.)
+  /// lengths, and no triangle is taken out.) What waits after work in a submesh is added to the pending triangles when
+  /// the median of the keys is known: for the median, it counts on the rank that has refined.
   void go_down(const Levels& levels) {
     sweeper_.pending().set_aside(short_enough_for(*levels.back().lattice(), job_.options.decomposition));
-    if (in_parts_ != nullptr)
-      go_down_in_submesh(levels);
-    else
-      sweeper_.refine_coarse_levels(levels);
+    RefineCounts in_last_submesh;  // a submesh that was too small does not count
+    waiting_ = communicator_.refine_coarse(
+        {.refine_here = [&] { sweeper_.refine_coarse_levels(levels); },
+         .take_due = [&] { return sweeper_.pending().take().deferred; },
+         .refine_submesh =
+             [&](const Communicator::GatheredSubmesh& submesh, std::vector<TriangleId>& changed) {
+               Waiting waiting;
+               changed = refine_submesh(submesh, [&](Sweeper& in_submesh) {
+                 in_submesh.defer_again(submesh.first);
+                 in_submesh.refine_coarse_levels(levels);
+                 in_last_submesh = in_submesh.counts();
+                 keys_in_submesh_ = in_submesh.pending().count_keys();
+                 waiting = in_submesh.pending().take();
+               });
+               return waiting;
+             }});
+    sweeper_.counts().add(in_last_submesh);
     sweeper_.pending().bring_back();
   }
 
@@ -146,36 +153,17 @@ class Refinement {
   template <class Work>
   std::vector<TriangleId> refine_submesh(const Communicator::GatheredSubmesh& submesh, const Work& work) {
     const DomainSegments& segments = submesh.segments != nullptr ? *submesh.segments : segments_;
-    Sweeper sweeper(job_, submesh.t, segments, Threads(1, sweeper_.threads().stop));
+    OneProcess one_process;
+    Sweeper sweeper(job_, submesh.t, segments, Threads(1, sweeper_.threads().stop), one_process);
     sweeper.begin_submesh(submesh);
     work(sweeper);
     return sweeper.take_changed();
   }
 
-  /// What waits afterwards is added to the pending triangles when the median of the keys is known: for the median, it
-  /// counts on the rank that has refined.
-  void go_down_in_submesh(const Levels& levels) {
-    const Waiting due = sweeper_.pending().take();
-    RefineCounts in_last_submesh;  // a submesh that was too small does not count
-    waiting_ = in_parts_->refine_coarse(
-        due.deferred, [&](const Communicator::GatheredSubmesh& submesh, std::vector<TriangleId>& changed) {
-          Waiting waiting;
-          changed = refine_submesh(submesh, [&](Sweeper& in_submesh) {
-            in_submesh.defer_again(submesh.first);
-            in_submesh.refine_coarse_levels(levels);
-            in_last_submesh = in_submesh.counts();
-            keys_in_submesh_ = in_submesh.pending().count_keys();
-            waiting = in_submesh.pending().take();
-          });
-          return waiting;
-        });
-    sweeper_.counts().add(in_last_submesh);
-  }
-
   [[nodiscard]] unsigned median_key() {
     std::vector<std::uint64_t> counts = sweeper_.pending().count_keys();
     for (std::size_t key = 0; key < keys_in_submesh_.size(); ++key) counts[key] += keys_in_submesh_[key];
-    if (in_parts_ != nullptr) communicator_->add_up(counts);
+    communicator_.add_up(counts);
     return PendingTriangles::median_key(counts);
   }
 
@@ -183,11 +171,9 @@ class Refinement {
   /// the largest circumradius demands.
   void lay_finest(const Box& bounds, Levels& levels) {
     Radii largest = largest_radii(t_, sweeper_.runner().triangles(), sweeper_.threads());
-    if (in_parts_ != nullptr) {
-      std::array of_all{largest.radius, largest.ratio, largest.area};
-      in_parts_->take_largest(of_all);
-      largest = {of_all[0], of_all[1], of_all[2]};
-    }
+    std::array of_all{largest.radius, largest.ratio, largest.area};
+    communicator_.take_largest(of_all);
+    largest = {of_all[0], of_all[1], of_all[2]};
     if (job_.options.decomposition == Decomposition::paper)
       levels.back() =
           Tiles(with_cells_at_least(Lattice::radii_per_side * largest.radius, bounds, *levels.back().lattice()));
@@ -203,65 +189,42 @@ class Refinement {
     sweeper_.refine_due(finest, {});
   }
 
-  /// From here on, each rank refines its own cells of the finest tiles. Each triangle that waits waits on one rank.
+  /// From here on, each rank refines its own cells of the finest tiles.
   void divide(const Tiles& finest) {
-    if (in_parts_ != nullptr) return divide_anew(finest);
-    // A cell without work takes some time and memory, too.
-    std::vector<double> work(finest.cells(), 1);
-    for (const WorkAt& each : sweeper_.pending().work(job_.criteria))
-      work[finest.cell_of(each.place)] += each.triangles;
-    communicator_->divide(finest, work, sweeper_.runner());
-    sweeper_.share_phases(*communicator_);
-    if (!communicator_->is_first()) sweeper_.counts() = {};  // what all ranks have done alike counts once
-    sweeper_.pending().keep_if([&](TriangleId id) { return communicator_->is_at_home(id); });
-  }
-
-  void divide_anew(const Tiles& finest) {
-    std::vector<double> work(finest.cells(), 0);
-    for (const WorkAt& each : sweeper_.pending().work(job_.criteria))
-      work[finest.cell_of(each.place)] += estimate(each.triangles);
-    add_up_estimates(work, *communicator_);
-    for (double& of_cell : work) of_cell += 1;
-    sweeper_.pending().add(in_parts_->divide_anew(finest, work, sweeper_.pending().take()));
-    sweeper_.share_phases(*communicator_);
+    const auto work_of_cells = [&] {
+      std::vector<double> work(finest.cells(), 0);
+      for (const WorkAt& each : sweeper_.pending().work(job_.criteria))
+        work[finest.cell_of(each.place)] += estimate(each.triangles);
+      communicator_.add_up_estimates(work);
+      // A cell without work takes some time and memory, too.
+      for (double& of_cell : work) of_cell += 1;
+      return work;
+    };
+    communicator_.divide({finest, work_of_cells, sweeper_.pending(), sweeper_.counts()}, sweeper_.runner());
   }
 
   void go_up(const Levels& levels) {
-    if (communicator_ == nullptr)
-      sweeper_.go_up(levels);
-    else
-      go_up_in_submesh(levels);
-  }
-
-  void go_up_in_submesh(const Levels& levels) {
-    const std::vector<QueuedTriangle> rest = sweeper_.pending().take_needing_larger_box();
     RefineCounts in_last_submesh;  // a submesh that was too small does not count
-    communicator_->refine_rest(rest, [&](const Communicator::GatheredSubmesh& submesh) {
-      return refine_submesh(submesh, [&](Sweeper& in_submesh) {
-        in_submesh.pending().add_needing_larger_box(submesh.first);
-        in_submesh.go_up(levels);
-        in_last_submesh = in_submesh.counts();
-        in_last_submesh.left_alone = in_last_submesh.left_alone || in_submesh.pending().any_needs_larger_box();
-      });
-    });
+    communicator_.refine_rest({.refine_here = [&] { sweeper_.go_up(levels); },
+                               .take_rest = [&] { return sweeper_.pending().take_needing_larger_box(); },
+                               .refine_submesh =
+                                   [&](const Communicator::GatheredSubmesh& submesh) {
+                                     return refine_submesh(submesh, [&](Sweeper& in_submesh) {
+                                       in_submesh.pending().add_needing_larger_box(submesh.first);
+                                       in_submesh.go_up(levels);
+                                       in_last_submesh = in_submesh.counts();
+                                       in_last_submesh.left_alone =
+                                           in_last_submesh.left_alone || in_submesh.pending().any_needs_larger_box();
+                                     });
+                                   }});
     sweeper_.counts().add(in_last_submesh);
-  }
-
-  void add_up_counts() {
-    std::array counts{sweeper_.counts().inserted, sweeper_.counts().segment_splits, sweeper_.counts().refused};
-    communicator_->add_up(counts);
-    sweeper_.counts().inserted = counts[0];
-    sweeper_.counts().segment_splits = counts[1];
-    sweeper_.counts().refused = counts[2];
-    sweeper_.counts().left_alone = sweeper_.on_any_rank(sweeper_.counts().left_alone);
   }
 
   const RefinementJob& job_;
   Triangulation& t_;
   const DomainSegments& segments_;
-  Communicator* communicator_;
-  CommunicatorInParts* in_parts_;               ///< of communicator_; nullptr unless the mesh begins in parts
-  Waiting waiting_;                             ///< what waits after go_down_in_submesh()
+  Communicator& communicator_;
+  Waiting waiting_;                             ///< what waits in addition after go_down()
   std::vector<std::uint64_t> keys_in_submesh_;  ///< of its deferred triangles, on the rank that has refined it
   Sweeper sweeper_;
 };
@@ -270,7 +233,7 @@ class Refinement {
 
 Result<RefineCounts> refine_by_sweeps(Triangulation& t, const DomainSegments& segments, const Criteria& criteria,
                                       const Options& options, ProgressMonitor& progress, const Schedule& schedule,
-                                      const Watcher& watcher, Communicator* communicator) try {
+                                      const Watcher& watcher, Communicator& communicator) try {
   const RefinementJob job{criteria, options, progress, schedule, watcher};
   Refinement refinement(job, t, segments, communicator);
   if (Status done = refinement.run(); !done) return done.error();
@@ -281,6 +244,13 @@ Result<RefineCounts> refine_by_sweeps(Triangulation& t, const DomainSegments& se
   return Error{ErrorKind::internal,
                "a self-check of the refinement failed: a task needed a triangle that its rank does "
                "not hold"};
+}
+
+Result<RefineCounts> refine_by_sweeps(Triangulation& t, const DomainSegments& segments, const Criteria& criteria,
+                                      const Options& options, ProgressMonitor& progress, const Schedule& schedule,
+                                      const Watcher& watcher) {
+  OneProcess one_process;
+  return refine_by_sweeps(t, segments, criteria, options, progress, schedule, watcher, one_process);
 }
 
 }  // namespace pardel::engine

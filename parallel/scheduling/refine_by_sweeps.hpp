@@ -3,9 +3,9 @@
 // be split (Ruppert 1995; Chew 1993; with the exemptions of small_angles.hpp).
 //
 // The terms of this folder:
-//   lattice   a grid of cells (tiles) over the domain (concurrency/lattice.hpp); the refinement goes through several
+//   lattice   a grid of cells (tiles) over the domain (decomposition/lattice.hpp); the refinement goes through several
 //             levels, from coarse to fine and back
-//   quadtree  a division into leaves (tiles) with about the same work, for graded meshes (concurrency/quadtree.hpp);
+//   quadtree  a division into leaves (tiles) with about the same work, for graded meshes (decomposition/quadtree.hpp);
 //             what follows is said of cells, and holds for leaves, too
 //   box       a cell with a margin of half a cell, or a leaf with a margin of a quarter of its side; the task of the
 //             cell changes triangles only there
@@ -23,8 +23,8 @@
 #include <functional>
 
 #include "../../core/result.hpp"
-#include "../criteria/criteria.hpp"
 #include "../options.hpp"
+#include "../quality/criteria.hpp"
 #include "../report.hpp"
 #include "../triangulation/domain_segments.hpp"
 #include "../triangulation/triangulation.hpp"
@@ -59,12 +59,17 @@ class Communicator;
 /// `cancelled`, `resources` or `internal`, or with the error that the watcher returned; the triangulation is then not
 /// usable.
 ///
-/// With a communicator, the ranks of a run refine the triangulation together (communicator.hpp). All ranks pass equal
+/// The ranks of a run refine the triangulation together (communicator.hpp). If there are several, all pass equal
 /// arguments, options.max_vertices == 0, and no watcher. Afterwards t has gaps: unused indices, and slots of triangles
 /// that this rank does not hold. The counts are those of all ranks, but the tasks of the Tiling are those of this rank.
 [[nodiscard]] Result<RefineCounts> refine_by_sweeps(Triangulation& t, const DomainSegments& segments,
                                                     const Criteria& criteria, const Options& options,
+                                                    ProgressMonitor& progress, const Schedule& schedule,
+                                                    const Watcher& watcher, Communicator& communicator);
+/// The same in one process.
+[[nodiscard]] Result<RefineCounts> refine_by_sweeps(Triangulation& t, const DomainSegments& segments,
+                                                    const Criteria& criteria, const Options& options,
                                                     ProgressMonitor& progress, const Schedule& schedule = {},
-                                                    const Watcher& watcher = {}, Communicator* communicator = nullptr);
+                                                    const Watcher& watcher = {});
 
 }  // namespace pardel::engine

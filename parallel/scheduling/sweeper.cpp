@@ -7,8 +7,8 @@
 
 #include "../../core/support/stopwatch.hpp"
 #include "../triangulation/compact.hpp"
+#include "../triangulation/limits.hpp"
 #include "level_rules.hpp"
-#include "limits.hpp"
 
 namespace pardel::engine {
 namespace {
@@ -22,18 +22,15 @@ Error t1_violated(const Sweep& sweep) {
 
 }  // namespace
 
-Sweeper::Sweeper(const RefinementJob& job, Triangulation& t, const DomainSegments& segments, const Threads& threads)
+Sweeper::Sweeper(const RefinementJob& job, Triangulation& t, const DomainSegments& segments, const Threads& threads,
+                 Communicator& communicator)
     : job_(job),
       t_(t),
+      communicator_(communicator),
       assessor_(t, segments, job.criteria, job.options),
       threads_(threads),
-      runner_(t, assessor_, job.criteria, job.options, threads_, job.schedule),
+      runner_(t, assessor_, job.criteria, job.options, threads_, job.schedule, communicator),
       pending_(t, assessor_, threads_) {}
-
-void Sweeper::share_phases(Communicator& communicator) {
-  communicator_ = &communicator;
-  runner_.set_communicator(communicator_);
-}
 
 void Sweeper::begin_submesh(const Communicator::GatheredSubmesh& submesh) {
   changed_.emplace();
@@ -84,10 +81,10 @@ void Sweeper::sweep_to_fixpoint(const Tiles& tiles, SeedsByCell seeds, const Def
   for (const std::vector<QueuedTriangle>& of_cell : seeds) pending_.add_needing_larger_box(of_cell);
 }
 
+/// True if `here` is true on any rank.
 bool Sweeper::on_any_rank(bool here) const {
-  if (communicator_ == nullptr) return here;
   std::uint64_t ranks = here ? 1 : 0;
-  communicator_->add_up({&ranks, 1});
+  communicator_.add_up({&ranks, 1});
   return ranks > 0;
 }
 
@@ -96,11 +93,11 @@ std::uint64_t Sweeper::sweep(const Tiles& tiles, SeedsByCell& seeds, const Defer
   Stopwatch watch;
   Sweep done{tiles.columns(), tiles.rows()};
   for (unsigned colour = 0; colour < tiles.colours(); ++colour) {
-    // Tasks could only hand their triangles on.
-    if (communicator_ == nullptr && runner_.vertices().available() == 0) break;
+    // Tasks could only hand their triangles on. Several ranks go through all phases together.
+    if (communicator_.ranks() == 1 && runner_.vertices().available() == 0) break;
     run_phase(tiles, colour, seeds, later, done);
   }
-  if (communicator_ != nullptr) add_up(done);
+  add_up(done);
   done.seconds = watch.seconds();
   record_.add_sweep(done);
   if (runner_.vertices().available() == 0) counts_.budget_reached = counts_.left_alone = true;
@@ -113,7 +110,7 @@ void Sweeper::run_phase(const Tiles& tiles, unsigned colour, SeedsByCell& seeds,
   if (changed_)
     for (PlannedTask& task : tasks) task.lists_changes = true;
   if (!tasks.empty()) runner_.run(tiles, tasks, later, [this](std::uint64_t made) { job_.progress.report(made); });
-  if (communicator_ != nullptr) communicator_->exchange_changes(tasks);
+  communicator_.exchange_changes(tasks);
   for (const PlannedTask& task : tasks) {
     threads_.ask();
     if (changed_) changed_->insert(changed_->end(), task.result.changed.begin(), task.result.changed.end());
@@ -129,12 +126,21 @@ void Sweeper::run_phase(const Tiles& tiles, unsigned colour, SeedsByCell& seeds,
 void Sweeper::add_up(Sweep& sweep) const {
   std::array counts{sweep.inserted, sweep.to_other_cells, sweep.beyond_box, sweep.out_of_numbers,
                     sweep.against_promise};
-  communicator_->add_up(counts);
+  communicator_.add_up(counts);
   sweep.inserted = counts[0];
   sweep.to_other_cells = counts[1];
   sweep.beyond_box = counts[2];
   sweep.out_of_numbers = counts[3];
   sweep.against_promise = counts[4];
+}
+
+void Sweeper::add_up_counts() {
+  std::array counts{counts_.inserted, counts_.segment_splits, counts_.refused};
+  communicator_.add_up(counts);
+  counts_.inserted = counts[0];
+  counts_.segment_splits = counts[1];
+  counts_.refused = counts[2];
+  counts_.left_alone = on_any_rank(counts_.left_alone);
 }
 
 Status Sweeper::check_after(const Sweep& sweep) const {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "../concurrency/tiles.hpp"
+#include "../decomposition/tiles.hpp"
 #include "communicator.hpp"
 #include "pending_triangles.hpp"
 #include "phase.hpp"
@@ -32,12 +32,11 @@ using Levels = std::deque<Tiles>;
 /// levels. Its functions throw Stopped if the run has to end.
 class Sweeper {
  public:
-  Sweeper(const RefinementJob& job, Triangulation& t, const DomainSegments& segments, const Threads& threads);
+  Sweeper(const RefinementJob& job, Triangulation& t, const DomainSegments& segments, const Threads& threads,
+          Communicator& communicator);
 
   /// All vertices lie in this box, and will.
   void expect_within(const Box& bounds) { assessor_.expect_within(bounds); }
-  /// From now on, phases are those of several ranks. Precondition: the mesh has been divided.
-  void share_phases(Communicator& communicator);
   /// The triangulation is a gathered submesh: lists the triangles that change, and what is missing.
   void begin_submesh(const Communicator::GatheredSubmesh& submesh);
   /// In a submesh: the triangles made, with repetitions. Uses up the list.
@@ -53,8 +52,8 @@ class Sweeper {
   /// tries the blocked triangles again: a vertex may now lie between the split point of a triangle and the segment that
   /// blocked it. As long as a pass over the levels inserts vertices, another one tries the triangles that still wait.
   void go_up(const Levels& levels);
-  /// True if `here` is true on any of the ranks that share the phases.
-  [[nodiscard]] bool on_any_rank(bool here) const;
+  /// Replaces the counts of this rank by those of all ranks.
+  void add_up_counts();
 
   [[nodiscard]] std::uint64_t made() const { return counts_.inserted + counts_.segment_splits; }
   [[nodiscard]] const Assessor& assessor() const { return assessor_; }
@@ -71,11 +70,12 @@ class Sweeper {
   void run_phase(const Tiles& tiles, unsigned colour, SeedsByCell& seeds, const Deferrals& later, Sweep& done);
   void collect(const PlannedTask& task, Sweep& sweep);
   void add_up(Sweep& sweep) const;
+  [[nodiscard]] bool on_any_rank(bool here) const;
   [[nodiscard]] Status check_after(const Sweep& sweep) const;
 
   const RefinementJob& job_;
   Triangulation& t_;
-  Communicator* communicator_ = nullptr;            ///< with which the phases are shared; else nullptr
+  Communicator& communicator_;
   std::optional<std::vector<TriangleId>> changed_;  ///< in a submesh: the triangles made, with repetitions
   std::vector<VertexId>* needs_more_at_ = nullptr;  ///< of the submesh
   Assessor assessor_;

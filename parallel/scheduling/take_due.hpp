@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "../../core/array.hpp"
-#include "../concurrency/parallel_for.hpp"
 #include "../refinement/deferral.hpp"
+#include "../threads/parallel_for.hpp"
 
 namespace pardel::engine {
 

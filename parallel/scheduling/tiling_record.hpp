@@ -1,7 +1,7 @@
 // Records how the plane was cut into tiles, for the report.
 #pragma once
 
-#include "../concurrency/tiles.hpp"
+#include "../decomposition/tiles.hpp"
 #include "../report.hpp"
 #include "../triangulation/radii.hpp"
 

@@ -1,6 +1,6 @@
 #include "compact.hpp"
 
-#include "../concurrency/parallel_arrays.hpp"
+#include "../threads/parallel_arrays.hpp"
 
 namespace pardel::engine {
 namespace {

@@ -1,8 +1,8 @@
 // Compaction of a triangulation. Afterwards every index below the number of vertices or triangles is in use.
 #pragma once
 
-#include "../concurrency/index_allocator.hpp"
-#include "../concurrency/threads.hpp"
+#include "../threads/index_allocator.hpp"
+#include "../threads/threads.hpp"
 #include "triangulation.hpp"
 
 namespace pardel::engine {

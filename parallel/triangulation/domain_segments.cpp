@@ -8,7 +8,7 @@
 #include "../../core/support/point_order.hpp"
 #include "../arithmetic/distance.hpp"
 #include "../arithmetic/predicates.hpp"
-#include "../concurrency/parallel_for.hpp"
+#include "../threads/parallel_for.hpp"
 
 namespace pardel::engine {
 namespace {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "../arithmetic/clearance.hpp"
-#include "../concurrency/threads.hpp"
 #include "../segments/segment_pieces.hpp"
+#include "../threads/threads.hpp"
 #include "triangulation.hpp"
 
 namespace pardel::engine {

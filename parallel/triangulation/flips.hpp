@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "../concurrency/threads.hpp"
+#include "../threads/threads.hpp"
 #include "triangulation.hpp"
 
 namespace pardel::engine {

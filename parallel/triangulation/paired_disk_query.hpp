@@ -4,7 +4,7 @@
 #include <array>
 
 #include "../arithmetic/predicates.hpp"
-#include "../concurrency/lattice.hpp"
+#include "../decomposition/lattice.hpp"
 #include "cavity_query.hpp"
 #include "in_circumdisk.hpp"
 #include "triangulation.hpp"

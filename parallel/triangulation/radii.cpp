@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "../concurrency/parallel_for.hpp"
+#include "../threads/parallel_for.hpp"
 #include "triangle_shape.hpp"
 
 namespace pardel::engine {

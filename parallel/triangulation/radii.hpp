@@ -1,8 +1,8 @@
 // Circumradii: the bounds that follow from ratio and area, and the largest values in a mesh.
 #pragma once
 
-#include "../concurrency/index_allocator.hpp"
-#include "../concurrency/threads.hpp"
+#include "../threads/index_allocator.hpp"
+#include "../threads/threads.hpp"
 #include "triangulation.hpp"
 
 namespace pardel::engine {

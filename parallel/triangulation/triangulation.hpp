@@ -7,7 +7,7 @@
 
 #include "../../core/array.hpp"
 #include "../../core/mesh.hpp"
-#include "../concurrency/watched_array.hpp"
+#include "../threads/watched_array.hpp"
 
 namespace pardel::engine {
 

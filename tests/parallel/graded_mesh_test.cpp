@@ -6,6 +6,7 @@
 #include "../../core/digest.hpp"
 #include "../../core/raster.hpp"
 #include "../../parallel/mesher.hpp"
+#include "../../parallel/sizes.hpp"
 #include "../../properties/checker/check.hpp"
 #include "../../properties/domains/domains.hpp"
 #include "shapes.hpp"

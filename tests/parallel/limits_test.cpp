@@ -1,5 +1,5 @@
 // Tests limits that end a run before the goal is met, and errors that the caller makes.
-#include "../../parallel/scheduling/limits.hpp"
+#include "../../parallel/triangulation/limits.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +12,7 @@
 
 #include "../../parallel/arithmetic/floor.hpp"
 #include "../../parallel/mesher.hpp"
+#include "../../parallel/sizes.hpp"
 #include "../../properties/checker/check.hpp"
 #include "../../properties/domains/domains.hpp"
 #include "samples.hpp"

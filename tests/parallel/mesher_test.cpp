@@ -10,6 +10,7 @@
 #include <set>
 
 #include "../../core/digest.hpp"
+#include "../../parallel/sizes.hpp"
 #include "../../properties/checker/check.hpp"
 #include "../../properties/domains/domains.hpp"
 #include "test_name.hpp"

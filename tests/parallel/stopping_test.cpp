@@ -13,10 +13,11 @@
 #include "../../parallel/construction/insert_constraints.hpp"
 #include "../../parallel/conversion/export_mesh.hpp"
 #include "../../parallel/conversion/import_mesh.hpp"
-#include "../../parallel/input/findings.hpp"
-#include "../../parallel/input/untangle.hpp"
+#include "../../parallel/domain/find_problems.hpp"
+#include "../../parallel/domain/untangle.hpp"
 #include "../../parallel/mesher.hpp"
 #include "../../parallel/repair.hpp"
+#include "../../parallel/sizes.hpp"
 #include "../../properties/domains/domains.hpp"
 
 namespace pardel::engine {

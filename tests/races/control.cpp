@@ -4,7 +4,7 @@
 #include <cstring>
 #include <vector>
 
-#include "../../parallel/concurrency/parallel_for.hpp"
+#include "../../parallel/threads/parallel_for.hpp"
 
 int main(int argc, char** argv) {
   const bool racy = argc > 1 && std::strcmp(argv[1], "racy") == 0;

@@ -33,11 +33,11 @@ TEST(Structure, every_allowed_violation_is_needed) {
 
 /// The modules of parallel/ and distributed/ that have no test file named after them, and the tests that cover them.
 const std::map<std::string, std::vector<std::string>> covering_tests = {
-    {"concurrency/threads", {"stopping_test", "concurrency/parallel_for_test"}},
-    {"concurrency/tiles", {"scheduling/tiling_record_test", "scheduling/pending_triangles_test"}},
-    {"concurrency/watched_array", {"scheduling/touches_test"}},
+    {"threads/threads", {"stopping_test", "threads/parallel_for_test"}},
+    {"decomposition/tiles", {"scheduling/tiling_record_test", "scheduling/pending_triangles_test"}},
+    {"threads/watched_array", {"scheduling/touches_test"}},
     {"conversion/export_mesh", {"conversion/import_export_test"}},
-    {"conversion/hairlines_outside", {"conversion/hairlines_test"}},
+    {"construction/hairlines_outside", {"construction/hairlines_test"}},
     {"conversion/import_mesh", {"conversion/import_export_test"}},
     {"construction/begin_with_latest", {"construction/delaunay_test", "divided_input/mesh_of_points_test"}},
     {"construction/insertion_order", {"construction/delaunay_test", "delaunay/local_delaunay_test"}},
@@ -61,7 +61,6 @@ const std::map<std::string, std::vector<std::string>> covering_tests = {
     {"delaunay/piece_of_points", {"delaunay/triangulated_pieces_test"}},
     {"delaunay/shared_hull", {"delaunay/triangulated_pieces_test"}},
     {"delaunay/problems_of_points", {"delaunay/triangulated_pieces_test"}},
-    {"delaunay/triangulate_in_ranks", {"delaunay/triangulated_pieces_test"}},
     {"delaunay/triangulated_points", {"delaunay/triangulated_pieces_test"}},
     {"meshing/distribution", {"meshing/margins_test", "meshing/pieces_test"}},
     {"meshing/gaps_in_ranks", {"meshing/pieces_test"}},
@@ -70,42 +69,44 @@ const std::map<std::string, std::vector<std::string>> covering_tests = {
     {"meshing/piece", {"meshing/pieces_test"}},
     {"meshing/vertex_data", {"meshing/pieces_test"}},
     {"diagnosis/far_part", {"diagnosis/warnings_test"}},
-    {"diagnosis/narrowest_part", {"input/repair_test"}},
+    {"diagnosis/narrowest_part", {"domain/repair_test"}},
     {"diagnosis/straight_walk", {"diagnosis/find_gaps_test", "diagnosis/find_least_size_test"}},
-    {"input/check_faces", {"input/validate_test"}},
-    {"input/check_values", {"input/validate_test"}},
-    {"input/findings", {"input/validate_test"}},
+    {"domain/check_faces", {"domain/validate_test"}},
+    {"domain/check_values", {"domain/validate_test"}},
+    {"domain/find_problems", {"domain/validate_test"}},
+    {"domain/findings", {"domain/validate_test"}},
     {"construction/flood", {"construction/carve_test"}},
     {"construction/remove_triangles", {"construction/carve_test"}},
-    {"diagnosis/extents_by_scale", {"diagnosis/find_gaps_test", "input/repair_of_scales_test"}},
-    {"diagnosis/tiny_gaps", {"input/repair_test", "input/repair_of_scales_test"}},
+    {"diagnosis/extents_by_scale", {"diagnosis/find_gaps_test", "domain/repair_of_scales_test"}},
+    {"diagnosis/tiny_gaps", {"domain/repair_test", "domain/repair_of_scales_test"}},
     {"divided_input/divided_background", {"divided_input/mesh_of_points_test"}},
     {"patches/border_edges", {"filling/filling_test"}},
     {"patches/cut_out", {"filling/filling_test"}},
     {"patches/lay_patches", {"filling/filling_test"}},
     {"patches/write_strips", {"filling/filling_test", "meshing/filled_pieces_test"}},
     {"filling/division", {"meshing/filled_pieces_test"}},
-    {"filling/filled_pieces", {"meshing/filled_pieces_test"}},
     {"filling/filled_round", {"filling/refine_filled_test"}},
-    {"filling/refine_domain", {"mesher_test", "scheduling/after_sweep_test"}},
-    {"input/repair_once", {"input/repair_test"}},
-    {"input/untangle", {"input/repair_test"}},
+    {"scheduling/refine_domain", {"mesher_test", "scheduling/after_sweep_test"}},
+    {"domain/repair_once", {"domain/repair_test"}},
+    {"domain/untangle", {"domain/repair_test"}},
     {"refinement/exemptions", {"mesher_test", "limits_test"}},
     {"triangulation/held", {"meshing/margins_test", "meshing/pieces_test"}},
     {"triangulation/paired_disk_query", {"triangulation/cavity_test"}},
+    {"planning/mesh_valid", {"mesher_test"}},
     {"planning/run_plan", {"mesher_test", "filling/refine_filled_test"}},
+    {"scheduling/one_process", {"scheduling/phase_test", "scheduling/many_tiles_test"}},
+    {"scheduling/waiting", {"scheduling/pending_triangles_test"}},
     {"planning/supervised", {"stopping_test"}},
     {"scheduling/level_rules", {"scheduling/paper_quadtree_test", "scheduling/paper_lattice_test"}},
     {"scheduling/sweeper", {"scheduling/after_sweep_test", "scheduling/many_tiles_test"}},
     {"scheduling/communicator", {"meshing/margins_test"}},
     {"scheduling/refine_by_sweeps", {"scheduling/after_sweep_test", "scheduling/many_tiles_test"}},
-    {"segments/conflicts", {"input/validate_property_test"}},
+    {"segments/conflicts", {"domain/validate_property_test"}},
     {"segments/snapping", {"segments/reach_test"}},
     {"segments/sweep_agenda", {"segments/plane_sweep_test"}},
     {"triangulation/cavity_query", {"triangulation/cavity_test"}},
-    {"triangulation/constraint", {"construction/insert_constraints_test"}},
     {"triangulation/in_circumdisk", {"triangulation/flips_test"}},
-    {"triangulation/triangle_shape", {"criteria/criteria_test"}},
+    {"triangulation/triangle_shape", {"quality/criteria_test"}},
 };
 
 TEST(Structure, every_engine_module_has_its_own_test_or_a_covering_test) {
@@ -115,19 +116,20 @@ TEST(Structure, every_engine_module_has_its_own_test_or_a_covering_test) {
     return std::ranges::any_of(
         folders, [&](const std::string& folder) { return tree.contains("tests/" + folder + "/" + name + ".cpp"); });
   };
-  std::size_t modules = 0;
+  std::set<std::string> modules;
   for (const auto& [file, source] : tree) {
     const fs::path path = file;
     if (path.extension() != ".hpp" || !folders.contains(path.parent_path().parent_path().string())) continue;
-    ++modules;
     const std::string module = path.parent_path().filename().string() + "/" + path.stem().string();
+    modules.insert(module);
     const auto covered = covering_tests.find(module);
     const bool has_own = is_test(module + "_test") || is_test(path.stem().string() + "_test");
     EXPECT_NE(has_own, covered != covering_tests.end()) << module;
     if (covered == covering_tests.end()) continue;
     for (const std::string& test : covered->second) EXPECT_TRUE(is_test(test)) << module << ": " << test;
   }
-  EXPECT_GT(modules, 50u);
+  EXPECT_GT(modules.size(), 50u);
+  for (const auto& [module, tests] : covering_tests) EXPECT_TRUE(modules.contains(module)) << module;
 }
 
 /// A small tree that keeps every rule; each test adds one file that breaks one.
@@ -139,9 +141,9 @@ class StructureRule : public ::testing::Test {
     add("core/formats/text_reader.hpp", {"../mesh.hpp", "../support/shortest.hpp"}, "pardel::files");
     add("parallel/options.hpp", {"../core/mesh.hpp"});
     add("parallel/arithmetic/predicates.hpp", {}, "pardel::engine");
-    add("parallel/input/faces.hpp", {"../arithmetic/predicates.hpp"}, "pardel::engine");
+    add("parallel/domain/faces.hpp", {"../arithmetic/predicates.hpp"}, "pardel::engine");
     add("parallel/triangulation/cavity.hpp", {"../arithmetic/predicates.hpp", "../options.hpp"}, "pardel::engine");
-    add("parallel/mesher.cpp", {"options.hpp", "triangulation/cavity.hpp", "input/faces.hpp"});
+    add("parallel/mesher.cpp", {"options.hpp", "triangulation/cavity.hpp", "domain/faces.hpp"});
     add("properties/checker/check.hpp", {"../../core/mesh.hpp"});
     add("properties/checker/arithmetic/exact.hpp", {}, "pardel::checker");
     add("properties/checker/model/domain.hpp", {"../arithmetic/exact.hpp", "../check.hpp"}, "pardel::checker");
@@ -186,9 +188,10 @@ TEST_F(StructureRule, a_private_header_of_core_is_not_included_from_outside) {
 }
 
 TEST_F(StructureRule, a_private_header_is_not_included_in_angle_brackets) {
-  root_.write("examples/a.cpp", "#include <pardel/parallel/options.hpp>\n#include <pardel/parallel/input/faces.hpp>\n");
+  root_.write("examples/a.cpp",
+              "#include <pardel/parallel/options.hpp>\n#include <pardel/parallel/domain/faces.hpp>\n");
   EXPECT_EQ(lines(violations(read_source_tree(root_.path()))),
-            "examples/a.cpp:2: includes parallel/input/faces.hpp: the header is private to parallel\n");
+            "examples/a.cpp:2: includes parallel/domain/faces.hpp: the header is private to parallel\n");
 }
 
 TEST_F(StructureRule, an_allowed_violation_holds_for_its_own_folder_only) {
@@ -246,13 +249,13 @@ TEST_F(StructureRule, a_room_does_not_use_a_higher_room) {
             "below properties/checker/arithmetic in the order of rooms\n");
 }
 
-TEST_F(StructureRule, input_and_triangulation_do_not_use_each_other) {
-  EXPECT_EQ(violations_with("parallel/input/hull.cpp", {"../triangulation/cavity.hpp"}),
-            "parallel/input/hull.cpp:1: includes parallel/triangulation/cavity.hpp: it is not below "
-            "parallel/input in the order of rooms\n");
-  add("parallel/input/hull.cpp", {});
-  EXPECT_EQ(violations_with("parallel/triangulation/flips.cpp", {"../input/faces.hpp"}),
-            "parallel/triangulation/flips.cpp:1: includes parallel/input/faces.hpp: it is not below "
+TEST_F(StructureRule, domain_and_triangulation_do_not_use_each_other) {
+  EXPECT_EQ(violations_with("parallel/domain/hull.cpp", {"../triangulation/cavity.hpp"}),
+            "parallel/domain/hull.cpp:1: includes parallel/triangulation/cavity.hpp: it is not below "
+            "parallel/domain in the order of rooms\n");
+  add("parallel/domain/hull.cpp", {});
+  EXPECT_EQ(violations_with("parallel/triangulation/flips.cpp", {"../domain/faces.hpp"}),
+            "parallel/triangulation/flips.cpp:1: includes parallel/domain/faces.hpp: it is not below "
             "parallel/triangulation in the order of rooms\n");
 }
 
@@ -297,11 +300,11 @@ TEST_F(StructureRule, a_class_of_the_engine_has_at_most_200_lines) {
     for (int i = 2; i < lines; ++i) text += "  int a" + std::to_string(i) + ";\n";
     return text + "};\n";
   };
-  std::ofstream(root_.path() / "parallel/input/faces.hpp") << with_lines(200);
+  std::ofstream(root_.path() / "parallel/domain/faces.hpp") << with_lines(200);
   EXPECT_EQ(lines(violations(read_source_tree(root_.path()))), "");
-  std::ofstream(root_.path() / "parallel/input/faces.hpp") << "struct Short {};\n" << with_lines(201);
+  std::ofstream(root_.path() / "parallel/domain/faces.hpp") << "struct Short {};\n" << with_lines(201);
   EXPECT_EQ(lines(violations(read_source_tree(root_.path()))),
-            "parallel/input/faces.hpp:2: class Long has 201 lines, more than 200\n");
+            "parallel/domain/faces.hpp:2: class Long has 201 lines, more than 200\n");
 }
 
 }  // namespace

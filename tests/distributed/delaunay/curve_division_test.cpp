@@ -5,7 +5,7 @@
 #include <set>
 
 #include "../../../parallel/arithmetic/predicates.hpp"
-#include "../../../parallel/concurrency/bounding_box.hpp"
+#include "../../../parallel/decomposition/bounding_box.hpp"
 #include "../../../properties/domains/generators/random.hpp"
 #include "../../../properties/theorems/framework/local_ranks.hpp"
 #include "../../parallel/samples.hpp"

@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-#include "../../../parallel/conversion/domain_triangulation.hpp"
+#include "../../../parallel/construction/domain_triangulation.hpp"
 #include "../../../properties/domains/domains.hpp"
 #include "../../../properties/theorems/framework/local_ranks.hpp"
 #include "../cdt/triangulated_domain.hpp"

@@ -71,6 +71,7 @@ class Watched : public Observable {
 
   void exchange_changes(std::vector<PlannedTask>& tasks) override {
     Observable::exchange_changes(tasks);
+    if (!this->is_in_parts()) return;
     std::vector<Observed::Held> held;
     part().for_each_triangle([&](TriangleId id) {
       const bool is_own = this->owner_of_triangle(id) == network().rank();

@@ -1,4 +1,4 @@
-// Refines on several ranks, with Communicator that a test has chosen.
+// Refines on several ranks, with a Communicator that a test has chosen.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ inline Result<RefineCounts> refine(DomainTriangulation& domain, const Case& c, c
   for (const Region& region : c.pslg.regions) caps.push_back(region.max_area);
   const Criteria criteria(c.goal, options.placement, caps);
   ProgressMonitor progress(options);
-  return refine_by_sweeps(domain.triangulation, domain.segments, criteria, options, progress, {}, {}, &communicator);
+  return refine_by_sweeps(domain.triangulation, domain.segments, criteria, options, progress, {}, {}, communicator);
 }
 
 /// Calls use(part, division) with the part of the domain with which this rank begins, and with the division of the

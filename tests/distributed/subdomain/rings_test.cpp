@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "../../../parallel/conversion/domain_triangulation.hpp"
+#include "../../../parallel/construction/domain_triangulation.hpp"
 #include "../../../properties/domains/domains.hpp"
 #include "../../../properties/theorems/framework/local_ranks.hpp"
 #include "part_of_rank.hpp"

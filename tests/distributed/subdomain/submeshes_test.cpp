@@ -6,7 +6,7 @@
 #include <set>
 #include <vector>
 
-#include "../../../parallel/conversion/domain_triangulation.hpp"
+#include "../../../parallel/construction/domain_triangulation.hpp"
 #include "../../../parallel/triangulation/held.hpp"
 #include "../../../properties/domains/domains.hpp"
 #include "../../../properties/theorems/framework/local_ranks.hpp"

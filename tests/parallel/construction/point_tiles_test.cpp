@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "../../../parallel/concurrency/bounding_box.hpp"
+#include "../../../parallel/decomposition/bounding_box.hpp"
 #include "../../../properties/domains/domains.hpp"
 
 namespace pardel::engine {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "../../../parallel/conversion/domain_triangulation.hpp"
+#include "../../../parallel/construction/domain_triangulation.hpp"
 #include "../../../properties/domains/domains.hpp"
 
 namespace pardel::engine {

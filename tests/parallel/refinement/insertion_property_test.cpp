@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "../../../parallel/construction/delaunay.hpp"
-#include "../../../parallel/conversion/domain_triangulation.hpp"
-#include "../../../parallel/criteria/small_angles.hpp"
+#include "../../../parallel/construction/domain_triangulation.hpp"
+#include "../../../parallel/quality/small_angles.hpp"
 #include "../../../parallel/refinement/insertion.hpp"
 #include "../../../parallel/triangulation/locate.hpp"
 #include "../../../properties/checker/arithmetic/exact.hpp"
@@ -98,7 +98,7 @@ PARDEL_PROPERTY(EngineInsertion, makes_no_edge_shorter_than_the_floor,
 PARDEL_PROPERTY(SplitPoint, of_a_segment_stays_within_rounding_of_it,
                 {.statement = "however often the pieces of a segment are split, the points lie on it to within the "
                               "rounding of coordinates: 2 units of the segment",
-                 .source = "parallel/criteria/small_angles.hpp",
+                 .source = "parallel/quality/small_angles.hpp",
                  .families = "segments in all directions, near and far, with other segments at their ends"}) {
   const auto coordinate = [] { return 1e-3 * *rc::gen::inRange(-1000000, 1000000) + *rc::gen::element(0., 654321.1); };
   Triangulation t;

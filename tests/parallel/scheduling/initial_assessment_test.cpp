@@ -6,7 +6,7 @@
 #include <functional>
 #include <utility>
 
-#include "../../../parallel/concurrency/parallel_for.hpp"
+#include "../../../parallel/threads/parallel_for.hpp"
 #include "../refinement/assessed_sample.hpp"
 
 namespace pardel::engine {

@@ -1,6 +1,7 @@
 // The paper's quadtree: circumradii in the buffer zone of a leaf are small enough that cavities of points in the leaf
 // fit its box, and the engine checks this as it runs.
 #include "../../../parallel/mesher.hpp"
+#include "../../../parallel/sizes.hpp"
 #include "many_tasks.hpp"
 
 namespace pardel::engine::samples {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "../../../core/support/point_order.hpp"
+#include "../../../parallel/scheduling/one_process.hpp"
 #include "../../../parallel/triangulation/compact.hpp"
 #include "../refinement/assessed_sample.hpp"
 
@@ -18,7 +19,8 @@ namespace {
 struct PhaseScene : samples::AssessedSample {
   Tiles tiles{Lattice({0, 0, 1, 1}, 2, 2)};
   Schedule schedule;
-  PhaseRunner runner{sample.triangulation, assessor, criteria, options, Threads(1), schedule};
+  OneProcess one_process;
+  PhaseRunner runner{sample.triangulation, assessor, criteria, options, Threads(1), schedule, one_process};
 
   PhaseScene()
       : AssessedSample(samples::uniform_points(200, 11), {.min_angle_deg = 25, .max_area = 0.0005},
