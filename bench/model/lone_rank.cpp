@@ -41,7 +41,7 @@ LoneRank measure_lone_rank(Triangulation t, const Tiles& tiles, std::span<const 
   Distribution distribution(silent, t);
   PhaseRunner runner(t, assessor, problem.criteria, problem.options, Threads(1), schedule, distribution);
   ThreadWatch watch;
-  distribution.divide(tiles, work, runner);
+  distribution.divide_by(tiles, work, runner);
   LoneRank measured{.divide_seconds = watch.lap()};
 
   SeedsByCell no_seeds(tiles.cells());

@@ -75,7 +75,7 @@ class TracedDistribution : public Distribution {
         times_(times),
         trace_(trace) {}
 
-  void divide(const Tiles& tiles, std::span<const double> work, PhaseRunner& runner) override {
+  void divide_by(const Tiles& tiles, std::span<const double> work, PhaseRunner& runner) override {
     trace_.before_seconds = watch_.lap();
     trace_.coarse_triangles = runner.triangles().in_use();
     trace_.promised.assign(work.begin(), work.end());
@@ -87,7 +87,7 @@ class TracedDistribution : public Distribution {
         trace_.for_ranks.push_back({Replay(tiles, work, count), measure_lone_rank(copy, tiles, work, problem_, count)});
     }
     if (extent_ == Extent::coarse) throw CoarseIsEnough{};
-    Distribution::divide(tiles, work, runner);
+    Distribution::divide_by(tiles, work, runner);
     cell_with_.assign(t_.slots.size(), no_index);
     watch_.lap();
   }
@@ -96,12 +96,14 @@ class TracedDistribution : public Distribution {
   [[nodiscard]] int ranks() const override { return extent_ == Extent::coarse ? std::ranges::max(ranks_) : 1; }
 
   void add_up(std::span<std::uint64_t> values) override {
+    if (!is_in_parts()) return;
     outside_tasks_ += watch_.lap();
     for (ForRanks& each : trace_.for_ranks) each.replay.sum(values.size());
     watch_.lap();
   }
 
   void deliver(std::vector<PlannedTask>& tasks) override {
+    if (!is_in_parts()) return;
     outside_tasks_ += watch_.lap();
     const auto cell_with = [this](QueuedTriangle seed) {
       const Index cell = seed.id() < cell_with_.size() ? cell_with_[seed.id()] : no_index;
@@ -115,6 +117,7 @@ class TracedDistribution : public Distribution {
   }
 
   void exchange_changes(std::vector<PlannedTask>& tasks) override {
+    if (!is_in_parts()) return;
     outside_tasks_ += watch_.lap();
     std::vector<double> seconds = times_.take(tasks.size());
     PhaseRecord& phase = trace_.phases.emplace_back();
@@ -131,15 +134,20 @@ class TracedDistribution : public Distribution {
     Distribution::exchange_changes(tasks);
   }
 
-  void refine_rest(std::span<const QueuedTriangle> rest, const RefineSubmesh& refine) override {
-    trace_.rest = rest.size();
+  void refine_rest(const RestOfWork& work) override {
+    RestOfWork counted = work;
+    counted.take_rest = [&] {
+      std::vector<QueuedTriangle> rest = work.take_rest();
+      trace_.rest = rest.size();
+      return rest;
+    };
     for (ForRanks& each : trace_.for_ranks) each.replay.sum(1);
-    Distribution::refine_rest(rest, refine);
+    Distribution::refine_rest(counted);
     watch_.lap();
   }
 
-  void finish() override {
-    Distribution::finish();
+  void finish(Triangulation& t, const PhaseRunner& runner, const Threads& threads) override {
+    Distribution::finish(t, runner, threads);
     watch_.lap();
   }
 
@@ -215,7 +223,7 @@ Result<Trace> traced(const ValidPslg& valid, const Goal& goal, const Options& op
       times, trace);
   try {
     Result<RefineCounts> counts = refine_by_sweeps(domain->triangulation, domain->segments, plan->criteria, options,
-                                                   progress, times.hooks(), {}, &distribution);
+                                                   progress, times.hooks(), {}, distribution);
     if (!counts) return counts.error();
     trace.before_seconds += planned;
     write_report(*domain, plan->criteria, options, std::move(*counts), threads, report,

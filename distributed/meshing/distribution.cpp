@@ -36,7 +36,7 @@ void Distribution::add_up_estimates(std::span<double> estimates) {
   if (!is_in_parts()) return;
   std::vector<std::uint64_t> parts;
   for (const double each : estimates) parts.push_back(static_cast<std::uint64_t>(each * parts_of_estimate));
-  ranks_.add_up(parts);
+  add_up(parts);
   for (std::size_t i = 0; i < parts.size(); ++i) estimates[i] = static_cast<double>(parts[i]) / parts_of_estimate;
 }
 
@@ -52,12 +52,12 @@ Waiting Distribution::refine_coarse(const CoarseWork& work) {
 }
 
 void Distribution::divide(const Division& division, PhaseRunner& runner) {
-  divide(division.finest, division.work_of_cells(), runner);
+  divide_by(division.finest, division.work_of_cells(), runner);
   division.pending.keep_if([&](TriangleId id) { return owner_of(t_.slots[id].v[0]) == ranks_.rank(); });
   if (ranks_.rank() > 0) division.counts = {};  // what all ranks have done alike counts once
 }
 
-void Distribution::divide(const Tiles& tiles, std::span<const double> work, PhaseRunner& runner) {
+void Distribution::divide_by(const Tiles& tiles, std::span<const double> work, PhaseRunner& runner) {
   set_owners(ownership_of(tiles, work));
   const Subdomain::Common common{runner.vertices().end(), runner.triangles().end()};
   unused_common_ = runner.vertices().holes();

@@ -35,8 +35,9 @@ class Distribution : public Communicator {
     part_->finish();
   }
 
-  /// Removes what this rank need not hold. Precondition: all ranks have the same mesh.
-  void divide(const Tiles& finest, std::span<const double> work, PhaseRunner& runner);
+  /// Divides the tiles among the ranks, and removes what this rank need not hold. Precondition: all ranks have the same
+  /// mesh.
+  virtual void divide_by(const Tiles& finest, std::span<const double> work, PhaseRunner& runner);
   /// True if no rank has ever had the whole mesh.
   [[nodiscard]] virtual bool begins_in_parts() const { return false; }
   /// False as long as all ranks have the same mesh.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "../../../core/support/enum_names.hpp"
+#include "../../../parallel/sizes.hpp"
 #include "../../checker/violating_triangles.hpp"
 
 namespace pardel::properties {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "../../../core/raster.hpp"
+#include "../../../parallel/sizes.hpp"
 #include "../framework/shares.hpp"
 #include "meshing.hpp"
 

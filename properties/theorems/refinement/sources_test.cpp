@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "../../../parallel/sizes.hpp"
 #include "../framework/shares.hpp"
 #include "meshing.hpp"
 

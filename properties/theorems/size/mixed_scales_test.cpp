@@ -10,6 +10,7 @@
 
 #include "../../../parallel/gaps.hpp"
 #include "../../../parallel/least_size.hpp"
+#include "../../../parallel/sizes.hpp"
 #include "../framework/shares.hpp"
 
 namespace pardel::properties {

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "../../../core/digest.hpp"
+#include "../../../parallel/sizes.hpp"
 #include "../framework/shares.hpp"
 #include "../refinement/meshing.hpp"
 #include "rings.hpp"

@@ -203,7 +203,7 @@ class Meddling : public Distribution {
 
   void exchange_changes(std::vector<PlannedTask>& tasks) override {
     for (PlannedTask& task : tasks) {
-      if (!is_first() || !task.lists_changes) continue;
+      if (!is_in_parts() || network().rank() > 0 || !task.lists_changes) continue;
       const Box box = ownership().box_of(task.cell);
       part().for_each_triangle([&](TriangleId id) {
         const auto is_outside = [&](VertexId v) { return !box.contains_half_open(meddled_.points[v]); };
@@ -223,9 +223,9 @@ class Forgetful : public Distribution {
  public:
   using Distribution::Distribution;
 
-  void divide(const Tiles& tiles, std::span<const double> work, PhaseRunner& runner) override {
-    Distribution::divide(tiles, work, runner);
-    if (!is_first()) return;
+  void divide_by(const Tiles& tiles, std::span<const double> work, PhaseRunner& runner) override {
+    Distribution::divide_by(tiles, work, runner);
+    if (network().rank() > 0) return;
     std::vector<TriangleId> lost;
     part().for_each_triangle([&](TriangleId id) {
       if (std::ranges::none_of(t_.slots[id].v, [&](VertexId v) { return owner_of(v) == 0; })) lost.push_back(id);
