@@ -64,8 +64,6 @@ function(pardel_mutated_twin target)
                    INTERFACE_COMPILE_OPTIONS)
     get_target_property(value ${target} ${property})
     if(value)
-      # The twin of the engine records accesses, so there is no other twin that does.
-      string(REPLACE "pardel_watched" "pardel_parallel" value "${value}")
       string(REGEX REPLACE "(${PARDEL_MUTATED_SUPPORT})" "\\1_mutated" value "${value}")
       string(REGEX REPLACE "pardel(::|_)(${PARDEL_MUTATED})([^a-z_]|$)" "pardel_\\2_mutated\\3" value "${value}")
       set_property(TARGET ${target}_mutated APPEND PROPERTY ${property} "${value}")

@@ -11,7 +11,7 @@ namespace pardel::engine {
 namespace {
 
 #ifndef PARDEL_WATCHED_ARRAYS
-#error "built with the watched twin of the engine only"
+#error "only the mutated twin of this program is built"
 #endif
 
 /// Records which triangles each task of a phase accesses, and counts the triangles that two tasks access.
