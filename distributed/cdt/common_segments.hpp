@@ -26,7 +26,7 @@ struct DividedSegments {
 /// Collective. Afterwards the triangulation of each rank has all triangles that common segments cross, or have as a
 /// side, in the triangulation of all points. Those that they cross are the only ones that change when the segments
 /// become edges, so each rank can insert the common segments for itself, and gets all triangles with an own corner
-/// right (THEORY.md, GivenPoints). `own_segments`: those that end at own points, in the order of their ends.
+/// right (THEORY_OF_RANKS.md, GivenPoints). `own_segments`: those that end at own points, in the order of their ends.
 /// Precondition: all triangles with an own corner are those of the triangulation of all points.
 [[nodiscard]] DividedSegments divide_segments(std::vector<GivenSegment>&& own_segments, const SharedHull& hull,
                                               LocalDelaunay& delaunay, const OwnPoints& own, Ranks& ranks,

@@ -56,7 +56,7 @@ class LocalDelaunay {
   using Corners = std::array<VertexId, 3>;
   /// The neighbours of the corners that lie in the disk of the triangle; ascending. There are some if any vertex lies
   /// in it: of the edges of a Delaunay triangulation, those that leave a vertex of the triangle's circle lead to a
-  /// vertex inside if there is one (THEORY.md, GivenPoints).
+  /// vertex inside if there is one (THEORY_OF_RANKS.md, GivenPoints).
   [[nodiscard]] std::vector<VertexId> neighbours_in_disk(const Corners& corners);
 
   /// The slots of the triangles that have been made since the last call, with repetitions.

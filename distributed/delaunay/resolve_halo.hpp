@@ -19,7 +19,7 @@ namespace pardel::engine {
 ///
 /// In each round, a rank sends the new triangles that have an own corner to all ranks that may have points in their
 /// disks. A rank that is asked adds the corners to its own triangulation, and answers with vertices in the disk, if
-/// there are any. THEORY.md (GivenPoints) has the proof.
+/// there are any. THEORY_OF_RANKS.md (GivenPoints) has the proof.
 int resolve_halo(LocalDelaunay& delaunay, const CurveDivision& division, Ranks& ranks, const Threads& threads);
 
 }  // namespace pardel::engine

@@ -58,7 +58,7 @@ inline const InsertionOrder order_of_indices;
 
 /// Does a fourth vertex lie in the circumdisk of a triangle if no four vertices are cocircular? If four are, the latest
 /// of them counts as outside the circle of the other three, as if its height on the paraboloid were increased by an
-/// amount that is tiny, but large compared with those of all earlier vertices (THEORY.md, GivenPoints).
+/// amount that is tiny, but large compared with those of all earlier vertices (THEORY_OF_RANKS.md, GivenPoints).
 /// `v`: the corners, counter-clockwise, none of them the ghost. Precondition: the four are cocircular. False if the
 /// fourth vertex has the place of a corner. Exact.
 [[nodiscard]] bool counts_as_inside(const Triangulation& t, const std::array<VertexId, 3>& v, VertexId fourth,

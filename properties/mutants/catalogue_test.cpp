@@ -48,7 +48,8 @@ struct Statement {
 };
 
 std::vector<Statement> statements_of_the_theory() {
-  const std::string theory = contents(fs::path(PARDEL_SOURCE) / "properties/THEORY.md");
+  const fs::path folder = fs::path(PARDEL_SOURCE) / "properties";
+  const std::string theory = contents(folder / "THEORY.md") + contents(folder / "THEORY_OF_RANKS.md");
   std::vector<Statement> statements;
   constexpr std::string_view heading = "\n### ";
   for (std::size_t at = theory.find(heading), next; at != std::string::npos; at = next) {

@@ -26,8 +26,8 @@ const fs::path source_root = PARDEL_SOURCE;
 
 /// The documents of the project, relative to its root.
 std::vector<fs::path> documents() {
-  std::vector<fs::path> found = {"README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md",
-                                 "properties/THEORY.md"};
+  std::vector<fs::path> found = {"README.md",    "ARCHITECTURE.md",      "CONTRIBUTING.md",
+                                 "CHANGELOG.md", "properties/THEORY.md", "properties/THEORY_OF_RANKS.md"};
   for (const fs::path folder : {"docs", "docs/decisions"})
     for (const auto& entry : fs::directory_iterator(source_root / folder))
       if (entry.path().extension() == ".md") found.push_back(folder / entry.path().filename());
@@ -79,7 +79,7 @@ std::vector<std::string> broken_links(const std::string& text, const fs::path& d
 /// folder.
 bool looks_like_a_path(const std::string& word) {
   static const std::regex path(
-      R"((core|ref|parallel|distributed|properties|fuzz|bench|tests|cli|cmake|scripts|examples|docs|\.ci)/[\w./-]*|[A-Z]+\.md)");
+      R"((core|ref|parallel|distributed|properties|fuzz|bench|tests|cli|cmake|scripts|examples|docs|\.ci)/[\w./-]*|[A-Z_]+\.md)");
   return std::regex_match(word, path);
 }
 

@@ -36,7 +36,7 @@ PARDEL_PROPERTY(Decorated, meshes_do_not_depend_on_threads_or_ranks,
                 {.statement = "With data and with bounds and options of all kinds at once, two and three threads give "
                               "the mesh of one thread, and one to four ranks give it, too, also if none of them has "
                               "read the whole domain: with the same markers, attributes and origins.",
-                 .source = "properties/THEORY.md, Ranks",
+                 .source = "properties/THEORY_OF_RANKS.md, Ranks",
                  .families = decorated_families}) {
   const DecoratedProblem drawn = some_decorated_problem(exhibit);
   const auto& [pslg, goal] = drawn.problem;

@@ -35,7 +35,7 @@ PARDEL_PROPERTY(
          "Where the interior is filled with equilateral triangles, one to five ranks that make one to several "
          "pieces each make the mesh that one process makes, triangle by triangle, and come to the same verdict "
          "on it.",
-     .source = "properties/THEORY.md, Fill; Ranks",
+     .source = "properties/THEORY.md, Fill; properties/THEORY_OF_RANKS.md, Ranks",
      .families = filled_families}) {
   const Problem problem = some_problem_to_fill(exhibit);
   const Options options = filling_options();

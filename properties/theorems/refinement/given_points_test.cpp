@@ -76,7 +76,7 @@ PARDEL_PROPERTY(
     {.statement = "Ranks that each have read a part of the points, and that ask each other about the triangles "
                   "at their borders, make the Delaunay triangulation of one process, also where points are "
                   "cocircular.",
-     .source = "properties/THEORY.md, GivenPoints",
+     .source = "properties/THEORY_OF_RANKS.md, GivenPoints",
      .families = point_families}) {
   const Pslg pslg = with_attributes(some_points(exhibit));
   const Meshed whole = value_of(triangulate(pslg, true, {.threads = 1}));
@@ -89,7 +89,7 @@ PARDEL_PROPERTY(
     GivenPoints, are_meshed_as_by_one_process,
     {.statement = "Ranks that each have read a part of the points make the mesh of one process: for bounds on "
                   "angles, areas and edges, on few and on many tiles.",
-     .source = "properties/THEORY.md, GivenPoints",
+     .source = "properties/THEORY_OF_RANKS.md, GivenPoints",
      .families = point_families}) {
   const Pslg pslg = with_attributes(some_points(exhibit));
   Goal goal{.min_angle_deg = *rc::gen::element(0.0, 20.0, 26.0)};
@@ -130,7 +130,7 @@ PARDEL_PROPERTY(
          "Ranks that each have read a part of the points and of the segments of a domain, and all its "
          "holes and regions, make the mesh of one process, with points in and around the domain that are on no "
          "segment, and with the attributes of its points.",
-     .source = "properties/THEORY.md, GivenPoints",
+     .source = "properties/THEORY_OF_RANKS.md, GivenPoints",
      .families = "lattice domains of every family, half of them with segments in 2, 4 or 8 pieces, with up to 60 "
                  "points on no segment, dealt with the segments to two "
                  "to six ranks; random goals without fields of sizes"}) {

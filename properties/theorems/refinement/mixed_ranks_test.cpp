@@ -38,7 +38,7 @@ PARDEL_PROPERTY(
     {.statement = "Where scales are mixed, two to five ranks make the mesh of one process, triangle by triangle, also "
                   "if each of them has only a part of the points and segments. Together they find as many violations "
                   "in it as the checker in one process: none, or for a stricter goal, the same numbers.",
-     .source = "properties/THEORY.md, Ranks",
+     .source = "properties/THEORY_OF_RANKS.md, Ranks",
      .families = mixed_families}) {
   MixedProblem drawn = some_mixed_problem(exhibit);
   Problem& problem = drawn.problem;
@@ -85,7 +85,7 @@ Pslg points_of(Pslg pslg) {
 PARDEL_PROPERTY(GivenPoints, of_mixed_scales_make_the_triangulation_of_one_process,
                 {.statement = "Where scales are mixed, two to five ranks, each of which has read a part of the points, "
                               "make the Delaunay triangulation of one process.",
-                 .source = "properties/THEORY.md, GivenPoints",
+                 .source = "properties/THEORY_OF_RANKS.md, GivenPoints",
                  .families = mixed_families}) {
   const Pslg points = points_of(some_mixed_problem(exhibit).problem.pslg);
   const Mesh whole = value_of(triangulate(points)).mesh;

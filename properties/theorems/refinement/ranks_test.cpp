@@ -23,7 +23,7 @@ PARDEL_PROPERTY(
                   "messages, two to six ranks make the mesh that one process makes, triangle by triangle, with the "
                   "same markers, "
                   "attributes and origins of points.",
-     .source = "properties/THEORY.md, Ranks",
+     .source = "properties/THEORY_OF_RANKS.md, Ranks",
      .families = "lattice domains of every family, random goals, fields of sizes, and options"}) {
   Problem problem = some_problem(exhibit);
   if (*rc::gen::inRange(0, 3) == 0) problem.goal.size = growing_sizes(problem);
