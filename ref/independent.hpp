@@ -11,6 +11,7 @@ namespace pardel::ref {
 /// Independent insertion [CC]: finds every cavity in `mesh` and builds every fan from `mesh`, like tasks that do not
 /// communicate, and unites the results. A constrained edge is split at a point that lies on it. The points are appended
 /// in order. If they are not independent, triangles of the result may overlap or not be Delaunay; no error is reported.
+/// Points 2 r̄ apart are independent (THEORY.md, T1-sharp), and at 4 r̄ no triangle is touched by two insertions (T1).
 /// Preconditions: the points lie in the mesh and are not vertices; at most one of them lies on each constrained edge.
 [[nodiscard]] PlainMesh insert_independently(const PlainMesh& mesh, const std::vector<ExactPoint>& points);
 

@@ -12,8 +12,8 @@ namespace pardel::ref {
 enum class RadiusTheorem : std::uint8_t { t3, t3_sharp };
 
 /// An upper bound on the square of r0: no triangle that meets the bounds of the goal on angles and areas has a larger
-/// circumradius. Returns an Error of kind `usage` if the goal has no bound on angles or none on areas. Precondition:
-/// the bound on angles is at most 60 degrees.
+/// circumradius (THEORY.md, T3: bounds on ratio and area bound it). Returns an Error of kind `usage` if the goal has no
+/// bound on angles or none on areas. Precondition: the bound on angles is at most 60 degrees.
 [[nodiscard]] Result<Number> squared_start_bound(const Goal& goal, RadiusTheorem theorem);
 
 /// The square of the factor by which splits of segments may raise circumradii above r0, the largest of

@@ -45,7 +45,8 @@ void split_waiting(Refinement& state);
 void record_origin(Refinement& state, Index vertex, const std::optional<Edge>& split);
 
 /// The subsegments that became encroached when `vertex` was inserted: subsegments upon which the vertex encroaches, and
-/// the halves of the subsegment that it split, if any vertex encroaches upon them.
+/// the halves of the subsegment that it split, if any vertex encroaches upon them. If there are none, the insertion has
+/// raised no circumradius above the largest one (THEORY.md, T2).
 [[nodiscard]] std::vector<Edge> newly_encroached(const Refinement& state, Index vertex);
 
 /// 1/ρ̄², where ρ̄ is the largest ratio of circumradius to shortest edge that the angle bound of the goal allows.

@@ -29,6 +29,7 @@ struct Box {
 [[nodiscard]] std::set<Edge> free_edges(const PlainMesh& mesh, const std::vector<Index>& triangles);
 
 /// May a task that owns the box change these triangles? That is, do all corners of all triangles lie in the box?
+/// Then tasks with disjoint boxes give one mesh, whatever the order of their steps (THEORY.md, T-region).
 [[nodiscard]] bool owns(const PlainMesh& mesh, const Box& box, const std::vector<Index>& triangles);
 
 }  // namespace pardel::ref

@@ -23,8 +23,8 @@ struct EndPoints {
 };
 
 /// True if the segment stays clear of what is beside it when its subsegment `edge` is split at p, which rounding has
-/// moved off the line of the segment (THEORY.md, lemma 9). Two segments that both stay clear of each other do not
-/// cross, wherever they are split. O(number of clearances).
+/// moved off the line of the segment (THEORY.md, Refinement: hairlines, Lemma 9). Two segments that both stay clear of
+/// each other do not cross, wherever they are split. O(number of clearances).
 [[nodiscard]] bool keeps_clear(std::span<const Clearance> all, EndPoints segment, EndPoints edge, Point p);
 
 }  // namespace pardel::engine

@@ -20,6 +20,8 @@ class Floor {
 
   /// The floor where it is lowest, at the origin.
   [[nodiscard]] double least() const { return least_; }
+  /// No insertion makes a shorter edge, so only a bounded number of points can be inserted and refinement ends
+  /// (THEORY.md, Refinement: the floor).
   [[nodiscard]] double at(Point p) const {
     const double largest = std::max(std::abs(p.x), std::abs(p.y));
     return std::max(least_, largest * 0x1p-42);

@@ -58,8 +58,11 @@ class Lattice {
     const Index column = cell % columns_, row = cell / columns_;
     return {bounds_.min_x + (column + 0.5) * width_, bounds_.min_y + (row + 0.5) * height_};
   }
+  /// Two cells of one colour share neither a side nor a corner, so their points are more than one side apart
+  /// (THEORY.md, Lattice (a)).
   [[nodiscard]] unsigned colour_of(Index cell) const { return (cell / columns_ % 2) * 2 + cell % columns_ % 2; }
-  /// The box in which the task of a cell works. Boxes at the border of the lattice extend to infinity.
+  /// The box in which the task of a cell works. Boxes at the border of the lattice extend to infinity. The boxes of one
+  /// colour are disjoint, so their tasks do not depend on each other (THEORY.md, Lattice (c) and T-region).
   [[nodiscard]] Box box_of(Index cell) const {
     const Index i = cell % columns_, j = cell / columns_;
     Box box;

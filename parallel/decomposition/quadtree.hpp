@@ -81,7 +81,8 @@ class Quadtree {
   explicit Quadtree(const Box& bounds);
 
   /// A tree in which each leaf with more than `most` of a quantity is divided into four. More leaves are divided to
-  /// keep the balance. `per_leaf`: the quantity of each leaf.
+  /// keep the balance, without which the boxes of leaves that do not touch might intersect (THEORY.md, Quadtree).
+  /// `per_leaf`: the quantity of each leaf.
   [[nodiscard]] Quadtree divided(std::span<const double> per_leaf, double most) const;
 
   [[nodiscard]] Index cells() const { return static_cast<Index>(leaves_.size()); }
@@ -103,7 +104,8 @@ class Quadtree {
   [[nodiscard]] double radius_that_fits(Index cell) const { return 0.99 * side_of(cell) / 8; }
   /// The area of the box, without its parts beyond the border.
   [[nodiscard]] double box_area(Index cell) const { return 2.25 * side_of(cell) * side_of(cell); }
-  /// The leaves that touch a leaf, in ascending order.
+  /// The leaves that touch a leaf, in ascending order. The boxes of all others are disjoint from its box (THEORY.md,
+  /// Quadtree).
   [[nodiscard]] std::span<const Index> touching(Index cell) const {
     return {touching_.data() + first_touching_[cell], first_touching_[cell + 1] - first_touching_[cell]};
   }

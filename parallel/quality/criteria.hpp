@@ -63,8 +63,9 @@ class Criteria {
   /// True if the corner opposite a constrained side encroaches on the side, which then has to be split. For a
   /// conforming goal, the corner encroaches inside and on the diametral circle of the side; for other goals, in its
   /// diametral lens (Shewchuk, "Delaunay refinement algorithms for triangular mesh generation", 2002, section 3). If
-  /// the goal has no bounds, no corner encroaches: nothing is refined, so no point will come close to the side. `dot`:
-  /// Measure::dot_at the corner. The other parameters: the squared lengths of the two sides at this corner.
+  /// the goal has no bounds, no corner encroaches: nothing is refined, so no point will come close to the side.
+  /// Theorem 2 (THEORY.md, T2) bounds all circumradii as long as no inserted point encroaches. `dot`: Measure::dot_at
+  /// the corner. The other parameters: the squared lengths of the two sides at this corner.
   [[nodiscard]] bool encroaches(double dot, double squared_left, double squared_right) const {
     return dot <= 0 && dot * dot >= squared_lens_cosine_ * squared_left * squared_right;
   }

@@ -67,6 +67,8 @@ bool Insertion::measure_fan(Point p) {
   return visible;
 }
 
+// The premise of Theorem 2 (THEORY.md, T2): a point that encroaches on no constrained edge of its cavity makes no
+// circumradius larger than the largest one so far (with lenses: than 1 / sin 2α times the largest one at the start).
 EdgeRef Insertion::longest_encroached() const {
   double longest = 0;
   EdgeRef found, border;
@@ -87,6 +89,8 @@ EdgeRef Insertion::longest_encroached() const {
   return found.none() ? border : found;
 }
 
+// T-region (THEORY.md): tasks with disjoint boxes do not depend on each other if each inserts only points that lie in
+// its box together with all corners of their cavities. Other points are `leaves_box`.
 Outcome Insertion::try_in_face(Point p, TriangleId first, const Box& box) {
   if (!box.contains_half_open(p)) return Outcome::leaves_box;
   tried_ = p;
@@ -100,8 +104,8 @@ Outcome Insertion::try_in_face(Point p, TriangleId first, const Box& box) {
   if (!blocker_.none()) return Outcome::encroaches;
   if (too_close(p)) return Outcome::too_close;
   // A complete cavity without a blocker is star-shaped. Let x lie inside one of its triangles. The segment from x to p
-  // crosses triangles of the cavity only (THEORY, Lemma 1), as long as it crosses no constrained edge. If it does, this
-  // edge belongs to the boundary of the cavity, and p lies on the line of the edge or beyond, so it is a blocker.
+  // crosses triangles of the cavity only (THEORY.md, Lemma 1), as long as it crosses no constrained edge. If it does,
+  // this edge belongs to the boundary of the cavity, and p lies on the line of the edge or beyond, so it is a blocker.
   return is_star_ ? Outcome::inserted : Outcome::refused;
 }
 
@@ -126,6 +130,7 @@ bool Insertion::left_box_for(Point p, const Box& box, double squared_circumradiu
   });
 }
 
+// The point and all corners of its cavity have to lie in the box, as in try_in_face() (THEORY.md, T-region).
 Outcome Insertion::try_on_edge(Point p, EdgeRef e, const Box& box) {
   const EdgeRef other = t_.slot(e).n[e.side()];
   if (!box.contains_half_open(p)) return Outcome::leaves_box;

@@ -100,6 +100,8 @@ void Task::consider_changed() {
   }
 }
 
+// Ruppert's order, which the proofs that refinement ends assume (THEORY.md, Refinement): an encroached side is split
+// before the triangle is.
 void Task::process(QueuedTriangle triangle) {
   const TriangleId id = triangle.id();
   EdgeRef shortest = triangle.side;
@@ -166,6 +168,8 @@ EdgeRef Task::split_encroached_side(QueuedTriangle triangle) {
   return a.need == Assessment::Need::nothing ? EdgeRef() : EdgeRef(id, a.side);
 }
 
+// The proofs that refinement ends assume (THEORY.md, Refinement) that a point which encroaches on an edge is rejected,
+// and that the edge is split instead.
 void Task::split_blocker(QueuedTriangle triangle) {
   const EdgeRef blocker = insertion_.blocker();
   const bool may_be_split = !assessor_.forbidden(blocker) && !assessor_.below_floor(blocker);
@@ -212,6 +216,8 @@ void Task::hand_on(QueuedTriangle triangle, Point p) {
     result_.handed_on.push_back({triangle, cell});
 }
 
+// Theorem 1 (THEORY.md, T1): every corner of a cavity is closer to its point than twice the largest circumradius of the
+// cavity. So if no circumradius exceeds radius_that_fits, no corner lies farther away than the margin of the box.
 bool Task::violates_t1(Point p) const {
   const double fits = tiles_->radius_that_fits(cell_);
   return box_.contains_half_open(p) && insertion_.left_box_for(p, box_, fits * fits);

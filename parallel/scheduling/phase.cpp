@@ -126,6 +126,8 @@ std::vector<double> PhaseRunner::triangles_wanted(const SeedsByCell& seeds) cons
   return wanted;
 }
 
+// The boxes of cells of one colour are disjoint (THEORY.md, Lattice and Quadtree), so the mesh is the same in whichever
+// order the tasks take their steps (T-region).
 void PhaseRunner::run(const Tiles& tiles, std::vector<PlannedTask>& tasks, const Deferrals& later,
                       const Task::Report& report) {
   assign_indices(tasks);

@@ -15,14 +15,16 @@ struct Lattice {
 
 /// The lattice of [CC] for this mesh. Its corner is the lower left corner of the mesh's bounding box. Its side is 4 r̄,
 /// rounded up to a double, where r̄ is the largest circumradius of the mesh: this is the least side for which points in
-/// two cells that are not neighbours have distance at least 4 r̄. Precondition: the mesh has triangles.
+/// two cells that are not neighbours have distance at least 4 r̄ (THEORY.md, Lattice (a)). Precondition: the mesh has
+/// triangles.
 [[nodiscard]] Lattice lattice_over(const PlainMesh& mesh);
 
 /// The lattice of [CC] over the points of a domain, before a mesh exists. Its side is 4 r̄, rounded up to a double,
 /// where r̄² is `squared_bound`. Precondition: the domain has points.
 [[nodiscard]] Lattice lattice_over(const std::vector<Point>& points, const Number& squared_bound);
 
-/// May the lattice be used for this mesh? That is, is its side at least 4 r̄?
+/// May the lattice be used for this mesh? That is, is its side at least 4 r̄? Then tasks in cells that are not
+/// neighbours touch no common triangle (THEORY.md, Lattice (b)).
 [[nodiscard]] bool allows(const Lattice& lattice, const PlainMesh& mesh);
 
 /// The lattice for the next sweep: this one if it may be used, else a new one.

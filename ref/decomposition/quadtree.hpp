@@ -44,6 +44,7 @@ inline constexpr double paper_fraction = 0.25;
 /// The neighbours of a leaf are the leaves with which it shares a piece of a side. The buffer zone consists of the
 /// neighbours, and of their neighbours in the orthogonal direction: those above and below a neighbour on the left or
 /// right, and those on the left and right of a neighbour above or below. The leaf itself is not in its buffer zone.
+/// A leaf outside it may be refined at the same time (THEORY.md, Quadtree).
 [[nodiscard]] std::set<Cell> buffer_zone(const Quadtree& tree, const Cell& leaf);
 
 /// Is the circumradius of each triangle whose open circumdisk meets the leaf smaller than `fraction` times the leaf's
@@ -52,7 +53,8 @@ inline constexpr double paper_fraction = 0.25;
                                   double fraction = paper_fraction);
 
 /// The condition under which a leaf may be refined while leaves outside its buffer zone are refined: every leaf of its
-/// buffer zone is wide enough. The refiner asks for more, allows().
+/// buffer zone is wide enough. If it holds for two such leaves, cavities of their points have no common vertex
+/// (THEORY.md, Quadtree (C)). The refiner asks for more, allows().
 [[nodiscard]] bool may_be_refined(const Quadtree& tree, const Cell& leaf, const PlainMesh& mesh,
                                   double fraction = paper_fraction);
 
