@@ -42,7 +42,7 @@ class LocalDelaunay {
   [[nodiscard]] bool is_own(VertexId v) const { return v < own_; }
   [[nodiscard]] Site site(VertexId v) const { return {t_.points[v], order_.position(v)}; }
   /// A number that is greater for vertices that come later in the order of insertion.
-  [[nodiscard]] std::uint64_t when(VertexId v) const { return order_.rank(v); }
+  [[nodiscard]] std::uint64_t when(VertexId v) const { return order_.time(v); }
   /// The vertex of a point; no_index if the rank does not know the point.
   [[nodiscard]] VertexId known(const Site& site) const;
   [[nodiscard]] bool has_own_corner(TriangleId id) const;

@@ -49,7 +49,7 @@ class FirstThree {
     std::vector<Site> sent;
     if (own) sent.push_back(delaunay_.site(*own));
     const std::vector<Site> all = concatenated(lists_of_all(sent, ranks_));
-    return *std::ranges::min_element(all, {}, [](const Site& s) { return InsertionOrder::rank_of(s.position); });
+    return *std::ranges::min_element(all, {}, [](const Site& s) { return InsertionOrder::time_of(s.position); });
   }
 
   const LocalDelaunay& delaunay_;

@@ -286,7 +286,7 @@ Status triangulate_points(Triangulation& t, const InsertionOrder& insertion_orde
   // Without tiles, points are inserted in their order.
   if (!inserter.has_used_tiles()) return Done{};
   const std::array<VertexId, 3> first_three{order[0], order[1], order[2]};
-  const auto when = [&](VertexId v) { return InsertionOrder::rank_of(rounds.round[v], insertion_order.position(v)); };
+  const auto when = [&](VertexId v) { return InsertionOrder::time_of(rounds.round[v], insertion_order.position(v)); };
   if (third == 2)
     begin_with_latest(t, first_three, when, threads);
   else

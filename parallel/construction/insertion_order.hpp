@@ -31,11 +31,12 @@ class InsertionOrder {
     const auto level = static_cast<std::size_t>(std::countr_zero(random_bits(position + 1)) / 4);
     return rounds - 1 - std::min(rounds - 1, level);
   }
-  /// A number that is greater for vertices that come later. Precondition: fewer than 2^61 points.
-  [[nodiscard]] std::uint64_t rank(VertexId v) const { return rank_of(position(v)); }
-  [[nodiscard]] static std::uint64_t rank_of(std::uint64_t position) { return rank_of(round_of(position), position); }
+  /// The time of an insertion: a number that is greater for vertices that come later. Precondition: fewer than 2^61
+  /// points.
+  [[nodiscard]] std::uint64_t time(VertexId v) const { return time_of(position(v)); }
+  [[nodiscard]] static std::uint64_t time_of(std::uint64_t position) { return time_of(round_of(position), position); }
   /// `round`: that of the position.
-  [[nodiscard]] static std::uint64_t rank_of(std::size_t round, std::uint64_t position) {
+  [[nodiscard]] static std::uint64_t time_of(std::size_t round, std::uint64_t position) {
     return std::uint64_t{round} << 61U | position;
   }
 
