@@ -50,17 +50,17 @@ class PairedSides {
   }
 
   /// Calls visit(place, counts, high, side) for all sides. If the side rises and its lower end is from `first` to
-  /// `last` - 1, counts is 1 and the place is this end. Otherwise counts is 0 and the place is `nowhere`. There are no
-  /// branches, because a processor would guess every other one wrong.
+  /// `last` - 1, counts is 1 and the place is this end. Otherwise counts is 0 and the place is `spare_place`. There are
+  /// no branches, because a processor would guess every other one wrong.
   template <class Visit>
-  void visit_rising(std::size_t first, std::size_t last, std::size_t nowhere, const Visit& visit) const {
+  void visit_rising(std::size_t first, std::size_t last, std::size_t spare_place, const Visit& visit) const {
     const std::size_t length = last - first;
     for (std::size_t t = 0; t < triangles_.size(); ++t) {
       const auto& v = triangles_[t].v;
       for (int i = 0; i < 3; ++i) {
         const Index from = v[i == 2 ? 0 : i + 1], to = v[i == 0 ? 2 : i - 1];
         const Index counts = static_cast<Index>(from < to) & static_cast<Index>(from - first < length);
-        visit(counts != 0 ? from : nowhere, counts, to, static_cast<Index>(3 * t + i));
+        visit(counts != 0 ? from : spare_place, counts, to, static_cast<Index>(3 * t + i));
       }
     }
   }
@@ -71,22 +71,23 @@ class PairedSides {
     const int n = threads();
     constexpr std::size_t apart = 16;  // places of different threads are in different cache lines
     const auto range = [&](int k) { return points_ * static_cast<std::size_t>(k) / static_cast<std::size_t>(n); };
-    const auto nowhere = [&](int k) { return points_ + 1 + apart * static_cast<std::size_t>(k); };
-    start_.resize(nowhere(n), 0);
+    const auto spare_place = [&](int k) { return points_ + 1 + apart * static_cast<std::size_t>(k); };
+    start_.resize(spare_place(n), 0);
 #pragma omp parallel for num_threads(n) schedule(static, 1)
     for (int k = 0; k < n; ++k)
-      visit_rising(range(k), range(k + 1), nowhere(k),
+      visit_rising(range(k), range(k + 1), spare_place(k),
                    [&](std::size_t place, Index counts, Index, Index) { start_[place] += counts; });
     std::size_t sum = 0;
     for (std::size_t p = 0; p <= points_; ++p) start_[p] = static_cast<Index>(sum += start_[p]);
-    for (int k = 0; k < n; ++k) start_[nowhere(k)] = static_cast<Index>(sum + static_cast<std::size_t>(k));
+    for (int k = 0; k < n; ++k) start_[spare_place(k)] = static_cast<Index>(sum + static_cast<std::size_t>(k));
     rising_.resize_uninitialised(sum + static_cast<std::size_t>(n));
 #pragma omp parallel for num_threads(n) schedule(static, 1)
     for (int k = 0; k < n; ++k)
-      visit_rising(range(k), range(k + 1), nowhere(k), [&](std::size_t place, Index counts, Index high, Index side) {
-        start_[place] -= counts;
-        rising_[start_[place]] = {high, side};
-      });
+      visit_rising(range(k), range(k + 1), spare_place(k),
+                   [&](std::size_t place, Index counts, Index high, Index side) {
+                     start_[place] -= counts;
+                     rising_[start_[place]] = {high, side};
+                   });
   }
 
   [[nodiscard]] std::span<const Rising> rising_from(std::size_t low) const {

@@ -56,7 +56,7 @@ LatticeDomain make_case(const CaseId& id) {
   return generate(id.family, random, size);
 }
 
-std::vector<CaseId> draw_cases(std::uint64_t seed, std::span<const Family> families, std::uint64_t count) {
+std::vector<CaseId> cases_in_turn(std::uint64_t seed, std::span<const Family> families, std::uint64_t count) {
   std::vector<CaseId> cases;
   for (std::uint64_t k = 0; k < count; ++k) cases.push_back({seed, families[k % families.size()], k / families.size()});
   return cases;

@@ -32,6 +32,7 @@ struct CaseId {
 [[nodiscard]] LatticeDomain make_case(const CaseId& id);
 
 /// Returns `count` cases that go through the families in turn. Precondition: `families` is not empty.
-[[nodiscard]] std::vector<CaseId> draw_cases(std::uint64_t seed, std::span<const Family> families, std::uint64_t count);
+[[nodiscard]] std::vector<CaseId> cases_in_turn(std::uint64_t seed, std::span<const Family> families,
+                                                std::uint64_t count);
 
 }  // namespace pardel::harness

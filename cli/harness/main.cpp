@@ -59,7 +59,7 @@ ReportCard blank_card(const Options& options, const Mesher& mesher) {
   card.limits += " a case";
   card.replay = replay_line(options);
   card.seed = options.seed;
-  card.cases = options.replay.empty() ? draw_cases(options.seed, options.families, options.cases) : options.replay;
+  card.cases = options.replay.empty() ? cases_in_turn(options.seed, options.families, options.cases) : options.replay;
   return card;
 }
 

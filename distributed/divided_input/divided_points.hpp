@@ -22,7 +22,7 @@ class DividedPoints : public Distribution {
         division_(division),
         segments_(part.domain, Name::rank(ranks.rank()), part.common_segments) {}
 
-  [[nodiscard]] bool begins_in_parts() const override { return true; }
+  [[nodiscard]] bool is_input_divided() const override { return true; }
   [[nodiscard]] Box bounds_of_all(const Box& here) override { return engine::bounds_of_all(here, ranks_); }
   void begin(PhaseRunner& runner) override;
   [[nodiscard]] std::function<bool(TriangleId)> counted() const override;

@@ -39,7 +39,7 @@ class Distribution : public Communicator {
   /// mesh.
   virtual void divide_by(const Tiles& finest, std::span<const double> work, PhaseRunner& runner);
   /// True if no rank has ever had the whole mesh.
-  [[nodiscard]] virtual bool begins_in_parts() const { return false; }
+  [[nodiscard]] virtual bool is_input_divided() const { return false; }
   /// False as long as all ranks have the same mesh.
   [[nodiscard]] bool is_in_parts() const { return part_.has_value(); }
 

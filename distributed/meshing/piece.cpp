@@ -68,7 +68,7 @@ class PieceMaker {
     std::ranges::sort(asked, lexicographically_less);
     asked.erase(std::unique(asked.begin(), asked.end()), asked.end());
     std::vector<std::uint64_t> numbers;  // ranks that begin with the whole input know all its points
-    if (distribution_.begins_in_parts()) numbers = numbers_of(asked);
+    if (distribution_.is_input_divided()) numbers = numbers_of(asked);
     for (Exemption& e : exempt) {
       if (is_unknown(e))
         e.apex = static_cast<Index>(

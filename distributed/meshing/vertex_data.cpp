@@ -64,11 +64,11 @@ class Collector {
   VertexData data_;
 };
 
-/// Numbers the vertices from before the division, but the points of the input. Returns how many vertices there are
-/// then.
+/// Numbers the vertices from before the division, except the points of the input. Returns the number of all these
+/// vertices, points of the input included.
 std::uint64_t Collector::number_common() {
   std::uint64_t next = distribution_.inputs();
-  if (distribution_.begins_in_parts()) {
+  if (distribution_.is_input_divided()) {
     const auto before_division = distribution_.inserted_before_division();
     for (std::size_t i = 0; i < before_division.size(); ++i)
       numbers_before_division_.add({before_division[i].id, before_division[i].id + 1}, next + i);

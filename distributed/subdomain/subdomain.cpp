@@ -49,15 +49,15 @@ Subdomain::Subdomain(Triangulation& t, IndexAllocator& vertices, IndexAllocator&
       vertex_names_(self, common.vertices),
       triangle_names_(self, common.triangles),
       beyond_(0),
-      nowhere_(0) {
+      no_corner_(0) {
   // Unused indices among the common ones must not be used for something new: all ranks would give it the same name.
   static_cast<void>(some_of(vertices_, vertices_.end() - vertices_.in_use()));
   const std::vector<IndexRange> unused = some_of(*triangles_, triangles_->end() - triangles_->in_use());
-  nowhere_ = new_vertex();
+  no_corner_ = new_vertex();
   beyond_ = new_slot();
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  t_.points[nowhere_] = {nan, nan};
-  t_.slots[beyond_].v.fill(nowhere_);
+  t_.points[no_corner_] = {nan, nan};
+  t_.slots[beyond_].v.fill(no_corner_);
   for (const IndexRange range : unused)
     for (TriangleId id = range.begin; id < range.end; ++id) forget(id);
 }
@@ -87,7 +87,7 @@ Index Subdomain::new_slot() {
     make_room();
     for (const IndexRange range : ranges)
       for (TriangleId id = range.begin; id < range.end; ++id) {
-        t_.slots[id] = {{nowhere_, nowhere_, nowhere_}, {}};
+        t_.slots[id] = {{no_corner_, no_corner_, no_corner_}, {}};
         spare_.push_back(id);
       }
   }
@@ -107,7 +107,7 @@ void Subdomain::detach(TriangleId id) {
 }
 
 void Subdomain::forget(TriangleId id) {
-  t_.slots[id] = {{nowhere_, nowhere_, nowhere_}, {}};
+  t_.slots[id] = {{no_corner_, no_corner_, no_corner_}, {}};
   triangle_names_.release(id);
   spare_.push_back(id);
 }

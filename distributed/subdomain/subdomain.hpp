@@ -30,7 +30,7 @@ class Subdomain {
   [[nodiscard]] const HeldSegments* segments() const { return segments_; }
 
   /// True if the slot contains a triangle of the part. Precondition: no phase runs.
-  [[nodiscard]] bool holds(TriangleId id) const { return t_.slots[id].v[0] != nowhere_; }
+  [[nodiscard]] bool holds(TriangleId id) const { return t_.slots[id].v[0] != no_corner_; }
   /// The same for any slot: false if it is not in use.
   [[nodiscard]] bool has(TriangleId id) const { return triangles_->uses(id) && holds(id); }
   /// Calls visit(id) for all triangles of the part. Precondition: no phase runs.
@@ -123,8 +123,8 @@ class Subdomain {
   std::optional<IndexAllocator> final_triangles_;  ///< after finish()
   Common common_;
   Names vertex_names_, triangle_names_;
-  TriangleId beyond_;
-  VertexId nowhere_;
+  TriangleId beyond_;   ///< stands for all triangles that are not held
+  VertexId no_corner_;  ///< the corner of all slots without triangles; its coordinates are NaN
   IndexPool new_vertices_;
   std::vector<VertexId> vertices_of_others_;
   std::vector<TriangleId> spare_;  ///< slots without triangles
@@ -136,10 +136,10 @@ template <class Visit>
 void Subdomain::for_each_triangle(TriangleId first, TriangleId last, const Visit& visit) const {
   // Copies, because the compiler would load the originals again after each visit.
   const Slot* const slots = t_.slots.data();
-  const VertexId nowhere = nowhere_;
+  const VertexId no_corner = no_corner_;
   triangles_->for_each_used(first, last, [&](IndexRange used) {
     for (TriangleId id = used.begin; id < used.end; ++id)
-      if (slots[id].v[0] != nowhere) visit(id);
+      if (slots[id].v[0] != no_corner) visit(id);
   });
 }
 

@@ -31,7 +31,7 @@ TEST(Case, depends_on_its_seed_family_and_index_only) {
 }
 
 TEST(Case, has_the_trait_of_its_family) {
-  for (const CaseId& id : draw_cases(3, generators::all_families(), 110)) {
+  for (const CaseId& id : cases_in_turn(3, generators::all_families(), 110)) {
     const LatticeDomain domain = make_case(id);
     EXPECT_TRUE(is_valid(domain)) << to_string(id);
     EXPECT_TRUE(has_trait(id.family, domain)) << to_string(id);
@@ -40,7 +40,7 @@ TEST(Case, has_the_trait_of_its_family) {
 
 TEST(Cases, are_drawn_from_the_families_in_turn) {
   const auto& families = generators::all_families();
-  const std::vector<CaseId> cases = draw_cases(1, families, 10 * families.size());
+  const std::vector<CaseId> cases = cases_in_turn(1, families, 10 * families.size());
   for (const Family family : families)
     EXPECT_EQ(std::count_if(cases.begin(), cases.end(), [&](const CaseId& id) { return id.family == family; }), 10);
 }
