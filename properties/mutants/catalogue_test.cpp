@@ -6,6 +6,7 @@
 #include <fstream>
 #include <regex>
 #include <set>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -116,6 +117,23 @@ TEST(Catalogue, has_a_row_for_every_property_and_no_other) {
   const std::set<std::string> properties = properties_in_the_sources();
   for (const std::string& property : properties) EXPECT_TRUE(rows.contains(property)) << property << " has no row";
   for (const std::string& row : rows) EXPECT_TRUE(properties.contains(row)) << row << " is not a property";
+}
+
+/// A mutant that was renamed must not keep its old name in the catalogue.
+TEST(Catalogue, names_beside_each_property_the_mutants_that_the_registry_gives_it) {
+  const std::set<std::string> rows = rows_of_the_catalogue();
+  std::set<std::string> expected, written;  // PROPERTY.MUTANT
+  for (const Mutant& mutant : read_registry(fs::path(PARDEL_SOURCE) / "properties/mutants/registry"))
+    if (rows.contains(mutant.killer.property)) expected.insert(mutant.killer.property + "." + mutant.name);
+  std::istringstream catalogue(contents(fs::path(PARDEL_SOURCE) / "properties/CATALOGUE.md"));
+  for (std::string line; std::getline(catalogue, line);) {
+    if (!line.starts_with("| `")) continue;
+    const std::string property = line.substr(3, line.find('`', 3) - 3);
+    const std::size_t end_of_column = line.rfind(" |"), last_column = line.rfind('|', end_of_column - 1);
+    for (const std::string& mutant : found(line.substr(last_column), R"(`(\w+)`)"))
+      written.insert(property + "." + mutant);
+  }
+  EXPECT_EQ(written, expected);
 }
 
 /// A property that notices no known mistake may test nothing.
