@@ -132,8 +132,7 @@ Certificate check_mesh(const MeshArguments& arguments, const MeshInput& input, c
                {.max_violations = most_kept(arguments.json), .foreign = arguments.refine || arguments.drop_unused});
 }
 
-/// Sets the options that check the mesh after every sweep (one pass of the refinement over all cells of a lattice).
-/// `checked` counts the sweeps.
+/// Sets the options that check the mesh after every sweep (parallel/sweep.hpp). `checked` counts the sweeps.
 void watch_sweeps(const MeshArguments& arguments, const Pslg& pslg, const Goal& goal, std::uint64_t& checked,
                   Options& options) {
   const SweepCheck how{.convex_hull = goal.convex_hull, .foreign = arguments.refine};

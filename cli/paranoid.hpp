@@ -1,4 +1,4 @@
-// --paranoid: checks the mesh after every sweep of the refinement. A sweep is one pass over all cells of a lattice.
+// --paranoid: checks the mesh after every sweep of the refinement. A sweep goes once through all cells of a level.
 #pragma once
 
 #include <cstdint>

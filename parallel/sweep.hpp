@@ -1,4 +1,4 @@
-// Sweep: what one pass of the refinement did.
+// What one sweep of the refinement did.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace pardel {
 
-/// One pass over the cells of a lattice, or the leaves of a quadtree. Cells have several colours; the cells of one
+/// A sweep goes once through the colours of the cells of a lattice, or of the leaves of a quadtree. The cells of one
 /// colour are refined in parallel, one task per cell.
 struct Sweep {
   Index columns = 1, rows = 1;     ///< size of the lattice; for a quadtree the number of leaves, and 1

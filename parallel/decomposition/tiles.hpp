@@ -1,4 +1,4 @@
-// The tiles of a pass: the cells of a lattice, or the leaves of a quadtree.
+// The tiles of a level: the cells of a lattice, or the leaves of a quadtree.
 #pragma once
 
 #include <span>

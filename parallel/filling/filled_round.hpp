@@ -1,4 +1,5 @@
-// One attempt to refine a domain around patches, and the choice between the meshes with and without them.
+// One round of filling, that is one attempt to refine a domain around patches with all its sweeps, and the choice
+// between the meshes with and without patches.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +21,8 @@ struct ToFill {
   std::uint64_t pieces = 1;
 };
 
-/// A filling, and the domain without its patches.
+/// One round: a filling, and the domain without its patches, which refine() refines. Rounds (rounds.hpp) chooses the
+/// patches of each round.
 class FilledRound {
  public:
   /// `edges`, `pieces`: those with which the filling was made.

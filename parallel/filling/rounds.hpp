@@ -1,4 +1,4 @@
-// How the patches give way from round to round.
+// How the patches give way from one round of filling (filled_round.hpp) to the next.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,8 @@
 
 namespace pardel::engine {
 
-/// The patches that a round of the refinement tries: they are cut out before it. If triangles are left that cannot be
-/// split because of the patches, the next round tries smaller patches. After a bounded number of rounds it is over.
+/// The patches that a round tries: they are cut out before its refinement. If triangles are left that cannot be
+/// split because of the patches, the next round tries smaller patches. The number of rounds is bounded.
 ///
 /// The patches give way in small disks around these triangles. Measured: with larger disks, or disks that soon grow,
 /// new places get stuck as fast as old ones are cleared, because the border becomes longer. If the number of stuck

@@ -25,8 +25,8 @@ struct Deferred {
       : triangle(what), key(its_key), longest(its_longest) {}
 };
 
-/// The rule by which a pass defers triangles. It defers a triangle to a finer lattice if the longest side or the
-/// circumradius is at most the bound given here. It defers a triangle to the next round on the same lattice if its key
+/// The rule by which a pass defers triangles. It defers a triangle to a finer level if the longest side or the
+/// circumradius is at most the bound given here. It defers a triangle to the next pass on the same level if its key
 /// is above `last_key`. By default nothing is deferred.
 struct Deferral {
   double longest_squared = 0;  ///< a bound on the square of the longest side; 0: no bound

@@ -24,7 +24,7 @@ struct TaskResult {
   std::vector<HandedOn> handed_on;               ///< to other cells, or to its own if its indices were used up
   std::vector<QueuedTriangle> needs_larger_box;  ///< the point lies in the cell, but the cavity leaves the cell's box
   std::vector<QueuedTriangle> blocked;           ///< their points encroach on an edge that cannot be split
-  std::vector<Deferred> deferred;                ///< for a finer lattice or the next round
+  std::vector<Deferred> deferred;                ///< for a later pass
   std::vector<TriangleId> changed;               ///< if asked for: the triangles that it made, and that still exist
   std::uint64_t inserted = 0, segment_splits = 0, refused = 0;
   std::uint64_t out_of_numbers = 0;   ///< how many of handed_on went to its own cell

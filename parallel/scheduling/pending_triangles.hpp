@@ -19,9 +19,9 @@ struct WorkAt {
   double triangles;
 };
 
-/// Holds two lists: deferred triangles, which finer tiles or the next round processes, and triangles that wait for the
-/// way back to coarser tiles, because their cavities need a larger box or because they were blocked
-/// (TaskResult::blocked). Entries may be stale (refinement/queued_triangle.hpp).
+/// Holds two lists: deferred triangles, which a later pass processes, and triangles that wait for the way back to
+/// coarser tiles, because their cavities need a larger box or because they were blocked (TaskResult::blocked). Entries
+/// may be stale (refinement/queued_triangle.hpp).
 class PendingTriangles {
  public:
   PendingTriangles(const Triangulation& t, const Assessor& assessor, const Threads& threads)

@@ -6,17 +6,19 @@
 //   lattice   a grid of cells (tiles) over the domain (decomposition/lattice.hpp); the refinement goes through several
 //             levels, from coarse to fine and back
 //   quadtree  a division into leaves (tiles) with about the same work, for graded meshes (decomposition/quadtree.hpp);
-//             what follows is said of cells, and holds for leaves, too
+//             what follows holds for cells and leaves
 //   box       a cell with a margin of half a cell, or a leaf with a margin of a quarter of its side; the task of the
 //             cell changes triangles only there
 //   task      the refinement of one box, starting with some bad triangles, its seeds (refinement/task.hpp)
 //   colour    a number of each cell, one of four in a lattice; the boxes of the cells of one colour are disjoint
 //   phase     the tasks of all cells of one colour, run at the same time (phase.hpp)
 //   sweep     one phase per colour
+//   pass      sweeps on one level, repeated until no triangle waits that the pass does not defer; the finest level has
+//             two passes, for the shorter half of the triangles and for the longer half
 //   handed on a triangle that a task passes to a later task, mostly because its split point lies in another cell
 //   deferred  a triangle that is left to a later pass, because it is too short (refinement/deferral.hpp)
 //   T1        the theorem that the cavity of a point in a cell fits the cell's box if circumradii are small enough
-//             (THEORY; Lattice::radius_that_fits); with Decomposition::paper, a cavity that does not fit is an error
+//             (THEORY.md; Lattice::radius_that_fits); with Decomposition::paper, a cavity that does not fit is an error
 #pragma once
 
 #include <cstdint>

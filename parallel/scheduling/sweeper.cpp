@@ -62,7 +62,7 @@ void Sweeper::go_up(const Levels& levels) {
   while (goes_on && pending_.any_needs_larger_box()) goes_on = refine_waiting(levels, levels.size());
 }
 
-/// A pass over so many of the coarsest levels, from fine to coarse. Returns true if it has inserted vertices.
+/// Goes up through the `count` coarsest levels, from fine to coarse. Returns true if it has inserted vertices.
 bool Sweeper::refine_waiting(const Levels& levels, std::size_t count) {
   const std::uint64_t before = made();
   for (std::size_t level = count; level-- > 0;)

@@ -50,7 +50,7 @@ class Sweeper {
   void refine_coarse_levels(const Levels& levels);
   /// Splits the triangles whose cavities fit no box of a level, on the coarser levels, which have larger boxes. Also
   /// tries the blocked triangles again: a vertex may now lie between the split point of a triangle and the segment that
-  /// blocked it. As long as a pass over the levels inserts vertices, another one tries the triangles that still wait.
+  /// blocked it. As long as this inserts vertices, it begins again with the triangles that still wait.
   void go_up(const Levels& levels);
   /// Replaces the counts of this rank by those of all ranks.
   void add_up_counts();
