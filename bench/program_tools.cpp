@@ -56,8 +56,8 @@ Run failed(const ProgramRun& program) {
   return run;
 }
 
-/// Writes the points beyond the square, which are inside it, and the wanted edge lengths. Gmsh takes them as a mean,
-/// not as a bound; the factor makes about as many triangles as other tools make.
+/// Writes the points that are no corners of the square, which lie inside it, and the wanted edge lengths. Gmsh takes
+/// these as a mean, not as a bound. With the factor, it makes about as many triangles as the other tools.
 void write_field(const Pslg& pslg, const Grading& size, std::ostream& out) {
   constexpr double factor = 0.757;
   for (std::size_t i = pslg.segments.size(); i < pslg.points.size(); ++i)

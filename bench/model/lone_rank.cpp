@@ -16,7 +16,7 @@ using namespace engine;
 
 namespace {
 
-/// A rank whose communicator says nothing.
+/// The view of one rank on others that send nothing.
 class SilentRanks : public Ranks {
  public:
   SilentRanks(int rank, int count) : rank_(rank), count_(count) {}

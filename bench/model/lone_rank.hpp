@@ -1,4 +1,4 @@
-// One rank of many, without the others: what it has to do whatever its share.
+// Measures one rank of many without the others: the work that it has however small its share of the mesh is.
 #pragma once
 
 #include <cstdint>

@@ -9,7 +9,7 @@
 
 namespace pardel::workloads {
 
-/// A new folder in $TMPDIR or /tmp, which is removed with its files at the end.
+/// A new folder in $TMPDIR or /tmp, which the destructor removes with its files.
 class TemporaryFolder {
  public:
   /// Throws std::system_error if the folder cannot be made.

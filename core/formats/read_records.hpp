@@ -10,9 +10,9 @@
 namespace pardel::files {
 
 /// Reads records `first` to n - 1, of one line each: calls read(in, begin, end) for records `begin` to `end` - 1. If
-/// there are many, several threads do, with a reader for each block of lines. The calls must not depend on each other.
-/// Afterwards `in` is in the line of the last record, or has the failure of the first record that has one, as if one
-/// thread had read everything.
+/// there are many, several threads make the calls, with a reader for each block of lines. The calls must not depend on
+/// each other. Afterwards `in` is in the line of the last record, or has the failure of the first record that has one,
+/// as if one thread had read everything.
 void read_blocks(TextReader& in, std::size_t first, std::size_t n,
                  const std::function<void(TextReader&, std::size_t, std::size_t)>& read);
 

@@ -27,10 +27,10 @@ constexpr double relatively_narrow = 1e-6;
 
 /// What is narrow in a domain.
 struct Narrow {
-  double relatively;  ///< narrower than this, and than a thousandth of the surroundings
-  double most;        ///< what is wider is nowhere narrow
+  double relatively;  ///< a gap is narrow if it is narrower than this and than a thousandth of its surroundings
+  double most;        ///< no gap that is wider than this is narrow
 
-  /// At this place, what is narrower is always narrow.
+  /// At this place, a gap that is narrower than this is narrow, whatever surrounds it.
   [[nodiscard]] static double always(Point p) { return 0x1p-32 * std::max(std::abs(p.x), std::abs(p.y)); }
 };
 

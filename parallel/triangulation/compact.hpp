@@ -11,7 +11,8 @@ namespace pardel::engine {
 /// they no longer need. Time: linear in the number of triangles.
 void compact(Triangulation& t, const IndexMoves& vertices, const IndexMoves& triangles, const Threads& threads);
 
-/// The same, but corners keep the indices that the vertices had before. For a caller that visits all triangles anyway.
+/// The same, but corners keep the indices that the vertices had before: the caller renumbers them when it visits all
+/// triangles anyway.
 void compact_but_corners(Triangulation& t, const IndexMoves& vertices, const IndexMoves& triangles,
                          const Threads& threads);
 

@@ -1,5 +1,5 @@
-// The shape of a triangle: its squared side lengths and its area, for one triangle or for two at once; and its least
-// corner.
+// The measure of a triangle (its squared side lengths and its area), for one triangle or for two at once; its shape
+// (the measure with the corners); and its least corner.
 #pragma once
 
 #include <algorithm>
@@ -45,7 +45,7 @@ using Measure = MeasureOf<double>;
 /// A measure is computed from the differences of two corners to the third. If twice the area is at least this share of
 /// the sum of the squares of these two sides, its relative error is below 2^-40, and so are those of the lengths.
 inline constexpr double share_of_thin = 0x1p-12;
-/// The measure of a triangle of any shape, with as small errors.
+/// The measure of a triangle, however thin it is, with equally small errors.
 [[nodiscard, gnu::cold]] inline Measure measure_of_thin(Point a, Point b, Point c) {
   const auto squared = [](Point p, Point q) { return (q.x - p.x) * (q.x - p.x) + (q.y - p.y) * (q.y - p.y); };
   return {{squared(b, c), squared(c, a), squared(a, b)}, exact::twice_area(a, b, c)};

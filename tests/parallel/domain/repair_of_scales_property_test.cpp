@@ -21,8 +21,9 @@ using generators::Mixture;
 using generators::Random;
 using testing::Drawing;
 
-/// Segments between a few points of a lattice, inside a square outline. `is_torn`: each end is a point of its own, a
-/// few roundings beside the common point, or in one of 16 cases as far as a gap that is tiny only beside long segments.
+/// A mess: segments between a few points of a lattice that cross, overlap and touch, inside a square outline.
+/// `is_torn`: each end is a point of its own, a few roundings beside the common point. In one of 16 cases it is farther
+/// away; such a gap is tiny only beside long segments.
 Pslg random_mess(Random& random, bool is_torn) {
   const int side = random.between(3, 40);
   std::vector<Point> places;
@@ -66,7 +67,9 @@ PARDEL_PROPERTY(
     {.statement = "by default the repair of two parts of different scales gives the points and segments that "
                   "it gives for each part alone, and far points change nothing",
      .source = "parallel/repair.hpp",
-     .families = "two messes with ends torn apart, one far smaller, or far from the origin; far points"}) {
+     .families =
+         "two sets of segments that cross, overlap and touch, with ends torn apart, one far smaller, or far from "
+         "the origin; far points"}) {
   const Mixed mixed = *generators::generator(mixed_mess, [](const Mixed&) { return std::vector<Mixed>(); });
   exhibit.show(mixed.pslg);
   Drawing expected;
