@@ -16,7 +16,7 @@ namespace pardel::engine {
 class Lattice {
  public:
   [[nodiscard]] static constexpr unsigned colours() { return 4; }
-  /// In the paper's lattice the side of a cell is at least this number of circumradii (THEORY, T1 and Lattice).
+  /// In the paper's lattice the side of a cell is at least this number of circumradii (THEORY.md, T1 and Lattice).
   static constexpr double radii_per_side = 4;
 
   Lattice(Box bounds, Index columns, Index rows)
@@ -43,7 +43,7 @@ class Lattice {
   [[nodiscard]] double side() const {
     return std::min(columns_ > 1 ? width_ : INFINITY, rows_ > 1 ? height_ : INFINITY);
   }
-  /// The cavity of a point in a cell lies in the box of the cell if no circumradius exceeds this value (T1; THEORY,
+  /// The cavity of a point in a cell lies in the box of the cell if no circumradius exceeds this value (T1; THEORY.md,
   /// Lattice). This holds for each triangle separately: a point in its circumdisk is at most two radii, that is half a
   /// side, away from its corners. The value is 1 % smaller than in the theorem, so rounding cannot cause a false error,
   /// even far from the origin.

@@ -99,7 +99,7 @@ class Quadtree {
   /// The box in which the task of a leaf works. Boxes at the border of the square extend to infinity.
   [[nodiscard]] Box box_of(Index cell) const { return with_margin(leaves_[cell], 0.25); }
   /// The cavity of a point in a leaf lies in the box of the leaf if no circumradius exceeds this value: a point in the
-  /// circumdisk of a triangle is at most two radii, that is the margin of the box, away from its corners (THEORY,
+  /// circumdisk of a triangle is at most two radii, that is the margin of the box, away from its corners (THEORY.md,
   /// Quadtree). This holds for each triangle separately. As in Lattice::radius_that_fits(), 1 % is left for rounding.
   [[nodiscard]] double radius_that_fits(Index cell) const { return 0.99 * side_of(cell) / 8; }
   /// The area of the box, without its parts beyond the border.

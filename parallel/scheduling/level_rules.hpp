@@ -12,7 +12,7 @@
 namespace pardel::engine {
 
 /// The triangles that a level leaves to the next finer lattice, because they are short enough for its boxes. With the
-/// paper's lattice, circumradii count (THEORY, T1 and Lattice).
+/// paper's lattice, circumradii count (THEORY.md, T1 and Lattice).
 [[nodiscard]] Deferral short_enough_for(const Lattice& finer, Decomposition decomposition);
 
 /// The same for each leaf of a quadtree: the triangles that are left to the finer leaves in it. With the paper's

@@ -7,10 +7,10 @@
 
 namespace pardel::engine {
 
-/// A bound on the circumradius by theorem T3 (THEORY). `ratio` is a bound on circumradius / shortest edge, and `area` a
-/// bound on the area.
+/// A bound on the circumradius by theorem T3 (THEORY.md). `ratio` is a bound on circumradius / shortest edge, and
+/// `area` a bound on the area.
 [[nodiscard]] double radius_bound(double ratio, double area);
-/// The least such bound (THEORY, T3-sharp). Precondition: ratio > 1/2, as in every triangle.
+/// The least such bound (THEORY.md, T3-sharp). Precondition: ratio > 1/2, as in every triangle.
 [[nodiscard]] double sharp_radius_bound(double ratio, double area);
 
 /// The largest circumradius, ratio and area of a set of triangles, up to rounding. They may be of different triangles.

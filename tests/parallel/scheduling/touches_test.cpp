@@ -1,4 +1,4 @@
-// No triangle is read or written by two tasks of one phase (THEORY, T-region).
+// No triangle is read or written by two tasks of one phase (THEORY.md, T-region).
 #include <gtest/gtest.h>
 
 #include <cmath>
