@@ -198,9 +198,11 @@ Status set_cells(const std::vector<Index>& cells, Options& options) {
 
 Status complete_options(MeshArguments& arguments) {
   Options& options = arguments.options;
-  for (const auto& [name, given] : {std::pair{"--interior fill", options.interior == Interior::fill},
-                                    std::pair{"--grading", arguments.goal.grading.has_value()},
-                                    std::pair{"--feature-size", arguments.goal.feature_size.has_value()}})
+  for (const auto& [name, given] :
+       {std::pair{"--interior fill", options.interior == Interior::fill},
+        std::pair{"--grading", arguments.goal.grading.has_value()},
+        std::pair{"--feature-size", arguments.goal.feature_size.has_value()},
+        std::pair{"--regions", arguments.goal.regions}, std::pair{"--convex-hull", arguments.goal.convex_hull}})
     if (given && arguments.refine)
       return Error{ErrorKind::usage, std::string(name) + " needs a domain and cannot be used with --refine"};
   if (Status fits = check_interior(options.interior, arguments.goal); !fits) return fits;

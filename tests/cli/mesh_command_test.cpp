@@ -686,6 +686,19 @@ TEST_F(MeshCommand, refuses_to_fill_the_interior_where_nothing_would_be_laid) {
   }
 }
 
+TEST_F(MeshCommand, refuses_what_needs_a_domain_when_a_mesh_is_refined) {
+  ASSERT_EQ(pardel({"mesh", "square.poly", "-o", "m.node"}).exit_code, 0);
+  for (const std::vector<std::string>& option : std::vector<std::vector<std::string>>{
+           {"--regions"}, {"--convex-hull"}, {"--grading", "0.2"}, {"--feature-size", "2"}, {"--interior", "fill"}}) {
+    std::vector<std::string> arguments{"mesh", "m.node", "--refine", "-o", "fine.vtu"};
+    arguments.insert(arguments.end(), option.begin(), option.end());
+    const Ran ran = pardel(arguments);
+    EXPECT_EQ(ran.exit_code, 2) << ran;
+    EXPECT_TRUE(holds(ran.err, {option[0], "needs a domain and cannot be used with --refine\n"})) << ran;
+    EXPECT_FALSE(exists("fine.vtu"));
+  }
+}
+
 TEST_F(MeshCommand, refuses_cells_together_with_one_tile) {
   const Ran ran = pardel({"mesh", "square.poly", "-o", "out.vtu", "--cells", "3,2", "--decomposition", "none"});
   EXPECT_EQ(ran.exit_code, 2) << ran;
