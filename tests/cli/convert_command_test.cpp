@@ -211,6 +211,21 @@ TEST_F(ConvertCommand, doubled_nodes_are_refused_when_a_mesh_is_refined_also_if_
   }
 }
 
+TEST_F(ConvertCommand, doubled_nodes_are_refused_in_the_same_words_by_triangle) {
+  write("d.node", "6 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 0\n5 1 1\n6 0 1\n");
+  write("d.ele", "2 3 0\n1 1 2 3\n2 4 5 6\n");
+  write("d.area", "2\n1 0.1\n2 0.1\n");
+  const std::string why = pardel({"mesh", "--refine", "d.ele", "-o", "r.off"}).err;
+  EXPECT_TRUE(holds(why, {"d.ele: Points 1 and 4 are both at (0, 0).\nPoints 3 and 5 are both at (1, 1)."})) << why;
+  write("d.poly", "0 2 0 0\n6 1\n1 1 2 1\n2 2 3 1\n3 3 1 1\n4 4 5 1\n5 5 6 1\n6 6 4 1\n0\n");
+  for (const char* switches : {"-rQ", "-rpQ", "-rqaQ", "-rpqa0.1jQ"}) {
+    const Ran ran = pardel({"triangle", switches, "d"});
+    EXPECT_EQ(ran.exit_code, 3) << ran;
+    EXPECT_EQ(ran.err, why);
+    EXPECT_FALSE(exists("d.1.ele"));
+  }
+}
+
 /// The tags of nodes in a .msh need not follow one another.
 TEST_F(ConvertCommand, doubled_nodes_of_a_msh_have_their_tags_in_messages) {
   write("tags.msh",
