@@ -12,6 +12,7 @@
 #include "../core/support/byte_order_mark.hpp"
 #include "../core/support/open_file.hpp"
 #include "domain_of_mesh.hpp"
+#include "domain_or_mesh.hpp"
 #include "exit_code.hpp"
 #include "follow_edges.hpp"
 #include "read_geojson.hpp"
@@ -51,6 +52,12 @@ Result<Pslg> domain_or_outline(std::optional<Pslg> poly, const fs::path& file, c
   return outline;
 }
 
+Error no_domain(const fs::path& file) {
+  return {ErrorKind::usage, fmt::format("{}: expected a domain, a .poly, .node or .geojson file; meshes are for "
+                                        "'pardel mesh --refine' and 'pardel check'",
+                                        file.string())};
+}
+
 }  // namespace
 
 Status check_standard_input(std::span<const fs::path> inputs) {
@@ -71,13 +78,16 @@ Result<Domain> read_domain(const fs::path& file) {
   }
   if (!is_domain_suffix(file) && !mesh_format(file))
     return unknown_format(file, "a domain", ".poly, .node, .geojson and .json");
-  if (!is_domain_suffix(file)) {
-    return Error{ErrorKind::usage, fmt::format("{}: expected a domain, a .poly, .node or .geojson file; meshes are for "
-                                               "'pardel mesh --refine' and 'pardel check'",
-                                               file.string())};
+  if (!is_domain_suffix(file)) return no_domain(file);
+  if (file.has_extension()) {
+    Result<Pslg> pslg = read_pslg(file);
+    if (!pslg) return pslg.error();
+    return Domain{std::move(*pslg), file.string()};
   }
-  Result<Pslg> pslg = read_pslg(file);
-  if (!pslg) return pslg.error();
+  Result<std::variant<Pslg, Mesh>> read = read_domain_or_mesh(file);
+  if (!read) return read.error();
+  auto* pslg = std::get_if<Pslg>(&*read);
+  if (pslg == nullptr) return no_domain(file);
   return Domain{std::move(*pslg), file.string()};
 }
 

@@ -1,15 +1,8 @@
 #include "read_geojson.hpp"
 
-#include <fmt/core.h>
-
-#include <array>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <string>
 #include <utility>
 
-#include "../core/support/byte_order_mark.hpp"
+#include "../core/formats.hpp"
 #include "place_seeds.hpp"
 
 namespace pardel::cli {
@@ -17,23 +10,27 @@ namespace fs = std::filesystem;
 
 bool is_geojson(const fs::path& file) { return file.extension() == ".geojson" || file.extension() == ".json"; }
 
+bool looks_like_json(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first != std::string_view::npos && text[first] == '{';
+}
+
 Result<DrawnDomain> read_drawing(const fs::path& file, LengthProperty lengths) {
-  const auto failure = [&](const char* what) {
-    return Error{ErrorKind::io, fmt::format("{}: {}: {}", file.string(), what, std::strerror(errno))};
-  };
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return failure("cannot be opened");
-  std::string text;
-  for (std::array<char, 1 << 16> chunk; in.read(chunk.data(), chunk.size()), in.gcount() > 0;)
-    text.append(chunk.data(), static_cast<std::size_t>(in.gcount()));
-  if (in.bad()) return failure("cannot be read");
-  return parse_geojson(without_byte_order_mark(text), file.string(), lengths);
+  const Result<std::string> text = read_text(file);
+  if (!text) return text.error();
+  return parse_geojson(*text, file.string(), lengths);
+}
+
+Result<Pslg> parse_drawn_domain(std::string_view text, const std::string& name) {
+  Result<DrawnDomain> drawn = parse_geojson(text, name);
+  if (!drawn) return drawn.error();
+  return place_seeds(std::move(*drawn));
 }
 
 Result<Pslg> read_geojson(const fs::path& file) {
-  Result<DrawnDomain> drawn = read_drawing(file, LengthProperty::ignored);
-  if (!drawn) return drawn.error();
-  return place_seeds(std::move(*drawn));
+  const Result<std::string> text = read_text(file);
+  if (!text) return text.error();
+  return parse_drawn_domain(*text, file.string());
 }
 
 }  // namespace pardel::cli

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <string_view>
 
 #include "../core/pslg.hpp"
 #include "../core/result.hpp"
@@ -11,6 +13,12 @@ namespace pardel::cli {
 
 /// True for .geojson and .json.
 [[nodiscard]] bool is_geojson(const std::filesystem::path& file);
+
+/// True if the text begins like GeoJSON, and so like no other input: with "{", perhaps after blanks.
+[[nodiscard]] bool looks_like_json(std::string_view text);
+
+/// The domain in a text, as read_geojson() reads it. `name`: of the file, for messages.
+[[nodiscard]] Result<Pslg> parse_drawn_domain(std::string_view text, const std::string& name);
 
 /// Reads the shapes of a file. Errors: `io`; those of parse_geojson().
 [[nodiscard]] Result<DrawnDomain> read_drawing(const std::filesystem::path& file, LengthProperty lengths);

@@ -87,6 +87,11 @@ struct MeshOfFile {
 /// Reads a domain or a mesh. A .poly is a domain, and so is a .node without an .ele of the same name. A file without a
 /// suffix is a .poly unless it begins like a mesh.
 [[nodiscard]] Result<std::variant<Pslg, Mesh>> read_pslg_or_mesh(const std::filesystem::path& file);
+/// The same of the text of a file without a suffix. `file`: its name, for messages, and for a .node beside it.
+[[nodiscard]] Result<std::variant<Pslg, Mesh>> parse_pslg_or_mesh(std::string_view text,
+                                                                  const std::filesystem::path& file);
+/// The text of a file, or of standard input, as all readers read it: without a byte order mark. Error: `io`.
+[[nodiscard]] Result<std::string> read_text(const std::filesystem::path& file);
 
 enum class MshEncoding : std::uint8_t { ascii, binary };
 /// The order of the elements of a file. second: a triangle has six nodes, and a constrained edge three. The middles of

@@ -49,6 +49,12 @@ Error unknown_suffix(const fs::path& file, const char* known) {
   return {ErrorKind::usage, file.string() + ": " + what + "; the formats of a mesh are " + known};
 }
 
+template <class Read>
+Result<std::variant<Pslg, Mesh>> either(Result<Read> read) {
+  if (!read) return read.error();
+  return std::variant<Pslg, Mesh>(std::move(*read));
+}
+
 }  // namespace
 
 std::optional<MeshFormat> mesh_format(const fs::path& file) {
@@ -107,17 +113,25 @@ Result<MeshOfFile> read_mesh_and_format(const fs::path& file) {
 }
 
 Result<std::variant<Pslg, Mesh>> read_pslg_or_mesh(const fs::path& file) {
-  using Either = Result<std::variant<Pslg, Mesh>>;
-  const auto either = [](auto read) { return read ? Either(std::move(*read)) : Either(read.error()); };
   std::error_code ignored;
   if (file.extension() == ".node" && !fs::exists(fs::path(file).replace_extension(".ele"), ignored))
     return either(read_pslg(file));
   if (file.has_extension()) return file.extension() == ".poly" ? either(read_pslg(file)) : either(read_mesh(file));
   const auto text = read_file(file);
   if (!text) return text.error();
-  if (const std::optional<MeshFormat> format = format_of_text(*text))
-    return either(parse_mesh(*format, *text, file.string()));
-  return either(parse_pslg(*text, file));
+  return parse_pslg_or_mesh(*text, file);
+}
+
+Result<std::variant<Pslg, Mesh>> parse_pslg_or_mesh(std::string_view text, const fs::path& file) {
+  if (const std::optional<MeshFormat> format = format_of_text(text))
+    return either(parse_mesh(*format, text, file.string()));
+  return either(parse_pslg(text, file));
+}
+
+Result<std::string> read_text(const fs::path& file) {
+  const auto text = read_file(file);
+  if (!text) return text.error();
+  return std::string(std::string_view(*text));
 }
 
 std::vector<std::string> written_files(const fs::path& file) {

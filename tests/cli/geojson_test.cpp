@@ -161,6 +161,29 @@ TEST_F(GeoJson, a_wrong_value_is_an_error_with_its_place_in_the_file) {
   EXPECT_TRUE(holds(refusal("{}"), {"w.json: type: expected the type of a GeoJSON object, found null"}));
 }
 
+TEST_F(GeoJson, is_recognised_on_standard_input_by_its_brace) {
+  for (const std::string before : {"", " \r\n\t\n", "\xEF\xBB\xBF"}) {
+    write("bay.geojson", before + bay);
+    ASSERT_EQ(pardel({"mesh", "bay.geojson", "-o", "named.vtu"}).exit_code, 0);
+    const RunOptions from{.in_file = "bay.geojson"};
+    const Ran meshed = pardel({"mesh", "-", "-o", "streamed.vtu"}, from);
+    EXPECT_EQ(meshed.exit_code, 0) << meshed;
+    EXPECT_EQ(read("streamed.vtu"), read("named.vtu"));
+    EXPECT_EQ(pardel({"check", "-", "named.vtu"}, from).exit_code, 0);
+    EXPECT_EQ(pardel({"doctor", "/dev/stdin"}, from).exit_code, 0);
+    EXPECT_EQ(pardel({"draw", "-", "bay.svg"}, from).exit_code, 0);
+    ASSERT_EQ(pardel({"convert", "bay.geojson", "named.poly"}).exit_code, 0);
+    EXPECT_EQ(pardel({"convert", "-", "-"}, from).out, read("named.poly"));
+  }
+}
+
+TEST_F(GeoJson, that_is_wrong_on_standard_input_is_an_error_with_line_and_column) {
+  write("wrong.json", "\n{\"type\": }\n");
+  const Ran ran = pardel({"mesh", "-", "-o", "w.vtu"}, {.in_file = "wrong.json"});
+  EXPECT_EQ(ran.exit_code, 3) << ran;
+  EXPECT_TRUE(holds(ran.err, {"pardel: -:2:10: "})) << ran;
+}
+
 TEST_F(GeoJson, collections_that_are_nested_too_deeply_are_refused) {
   std::string text = R"({"type": "Point", "coordinates": [0, 0]})";
   for (int i = 0; i < 20; ++i) text = R"({"type": "GeometryCollection", "geometries": [)" + text + "]}";

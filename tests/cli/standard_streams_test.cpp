@@ -86,6 +86,12 @@ TEST_F(StandardStreams, a_mesh_from_standard_input_is_refined) {
   EXPECT_EQ(ran.exit_code, 0) << ran;
 }
 
+TEST_F(StandardStreams, a_mesh_in_place_of_a_domain_is_a_usage_error_that_names_the_option) {
+  const Ran ran = with_input("m.vtu", {"mesh", "-", "-o", "finer.off"});
+  EXPECT_EQ(ran.exit_code, 2) << ran;
+  EXPECT_TRUE(holds(ran.err, {"pardel: -: expected a domain", "--refine"}));
+}
+
 TEST_F(StandardStreams, points_of_a_domain_from_standard_input_cannot_be_in_another_file) {
   write("empty.poly", "0 2 0 0\n1 0\n1 1 2\n0\n");
   const Ran ran = with_input("empty.poly", {"mesh", "-", "-o", "out.vtu"});
