@@ -16,18 +16,24 @@ bool has(const Segment& segment, int marker) {
 
 }  // namespace
 
+bool has_segment_with(std::span<const Segment> segments, int marker) {
+  return std::ranges::any_of(segments, [&](const Segment& s) { return has(s, marker); });
+}
+
+Error no_kept_segment(int marker) {
+  return {ErrorKind::invalid_input, fmt::format("--keep: no segment of the domain has the marker {}", marker)};
+}
+
 Status check_kept_segments(const MaybeRepaired& repaired, std::span<const int> markers) {
   const Pslg& domain = repaired.domain.pslg();
   const Pslg& read = repaired.original ? *repaired.original : domain;
   for (const int marker : markers) {
     const bool is_of_hull = marker == 1 && repaired.domain.convex_hull();
-    const auto is_kept = [&](const Segment& s) { return has(s, marker); };
-    if (!is_of_hull && std::ranges::none_of(read.segments, is_kept))
-      return Error{ErrorKind::invalid_input, fmt::format("--keep: no segment of the domain has the marker {}", marker)};
+    if (!is_of_hull && !has_segment_with(read.segments, marker)) return no_kept_segment(marker);
     if (!repaired.original) continue;
     for (const Segment& s : read.segments)
       for (const Index end : {s.a, s.b})
-        if (is_kept(s) && !(domain.points[repaired.point_map[end]] == read.points[end]))
+        if (has(s, marker) && !(domain.points[repaired.point_map[end]] == read.points[end]))
           return Error{ErrorKind::invalid_input,
                        fmt::format("--repair would move point {} at {}, an end of a segment that --keep {} keeps; a "
                                    "smaller --snap may leave it in place",

@@ -2,7 +2,8 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
+#include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -14,10 +15,14 @@ namespace pardel::cli {
 /// domain and in holes.
 struct PointsOutside {
   std::size_t count = 0;
-  std::optional<Point> first{};  ///< empty if there are none, or if nobody knows which is the first
+  std::uint64_t number = 0;  ///< of the first of them
+  Point first{};             ///< its place; without meaning if there are none
+
+  /// Adds those of another part of the mesh.
+  void add(const PointsOutside& other);
 };
-/// O(n).
-[[nodiscard]] PointsOutside points_outside(const Mesh& mesh);
+/// `numbers`: of the points, if the mesh is a part of another one; else they are the indices. O(n).
+[[nodiscard]] PointsOutside points_outside(const Mesh& mesh, std::span<const std::uint64_t> numbers = {});
 
 /// A note with their number, without the name of the file; empty if there are none. `of_domain`: the mesh is that of a
 /// domain. `then`: what becomes of them, or what can be done.

@@ -23,7 +23,7 @@ struct Seconds {
 struct Made {
   std::uint64_t points = 0, triangles = 0, constrained_edges = 0;  ///< of the whole mesh
   std::uint64_t least = UINT64_MAX, most = 0;                      ///< triangles of a piece
-  std::uint64_t points_outside = 0;                                ///< in the pieces of this rank
+  cli::PointsOutside outside;                                      ///< of the pieces of this rank
   std::uint64_t margin = 0;                                        ///< MeshPiece::margin of this rank
   Digest digest;                                                   ///< of the pieces of this rank
   Seconds seconds;
@@ -36,7 +36,7 @@ struct Made {
     constrained_edges = piece.constrained_edges;
     least = std::min<std::uint64_t>(least, piece.mesh.triangles.size());
     most = std::max<std::uint64_t>(most, piece.mesh.triangles.size());
-    points_outside += cli::points_outside(piece.mesh).count;
+    outside.add(cli::points_outside(piece.mesh, piece.number.span()));
     margin += piece.margin;
     digest = digest + pardel::digest(piece.mesh);
     seconds.refine = piece.report.refine_seconds;

@@ -20,6 +20,7 @@
 #include "../cli/gaps_text.hpp"
 #include "../cli/goal_options.hpp"
 #include "../cli/input.hpp"
+#include "../cli/kept_segments.hpp"
 #include "../cli/many_triangles.hpp"
 #include "../cli/memory.hpp"
 #include "../cli/memory_watch.hpp"
@@ -35,6 +36,7 @@
 #include "../core/support/agree.hpp"
 #include "../core/support/collective.hpp"
 #include "../core/support/enum_names.hpp"
+#include "../core/support/exchange_lists.hpp"
 #include "../core/support/open_file.hpp"
 #include "../core/support/stopwatch.hpp"
 #include "../distributed/distributed.hpp"
@@ -96,7 +98,8 @@ struct Arguments {
   bool msh_ascii = false, quiet = false;
 
   [[nodiscard]] HowToRead how_to_read() const {
-    return {options.threads, repair, snap, repair ? CrossingPolygons::repaired : CrossingPolygons::refused};
+    return {options.threads, repair, snap, repair ? CrossingPolygons::repaired : CrossingPolygons::refused,
+            options.kept_markers};
   }
 };
 
@@ -255,11 +258,22 @@ void count_input(const PartOfPslg& input, Run& run) {
   run.report.regions = input.rest.regions.size();
 }
 
+/// Collective. As check_kept_segments(), before the domain is validated.
+Status check_kept_segments(const PartOfPslg& input, bool has_only_points, const Run& run) {
+  for (const int marker : run.arguments.options.kept_markers) {
+    if (marker == 1 && (has_only_points || run.arguments.goal.convex_hull)) continue;
+    if (sum_of(has_segment_with(input.segments.segments, marker) ? 1U : 0U, run.job.ranks()) == 0)
+      return no_kept_segment(marker);
+  }
+  return Done{};
+}
+
 /// One piece per rank, of a domain of which each rank has a part.
 Result<Made, Refusal> make_of_parts(PartOfPslg&& input, Run& run) {
   const Arguments& arguments = run.arguments;
   Job& job = run.job;
   const bool has_only_points = is_point_set(input, job.ranks());
+  if (Status kept = check_kept_segments(input, has_only_points, run); !kept) return fault_of_domain(kept.error(), run);
   Pslg for_writers;  // they write holes and regions again
   for_writers.holes = input.rest.holes;
   for_writers.regions = input.rest.regions;
@@ -436,10 +450,11 @@ Result<ExitCode> run_mesh(Arguments& arguments, Job& job) {
   Result<Made, Refusal> made = make(run);
   if (!made) return job.is_first() ? refused(made.error(), arguments.input, arguments.json) : made.error().error;
   made->seconds.all = watch.seconds();
-  run.report.points_outside = sum_of(made->points_outside, job.ranks());
+  PointsOutside outside;
+  for (const auto& of_rank : concatenated(lists_of_all(std::vector{made->outside}, job.ranks()))) outside.add(of_rank);
+  run.report.points_outside = outside.count;
   summarize(*made, run);
-  if (const std::string note =
-          note_about({run.report.points_outside}, true, "'pardel convert --drop-unused' writes the mesh without them");
+  if (const std::string note = note_about(outside, true, "'pardel convert --drop-unused' writes the mesh without them");
       !note.empty() && job.is_first())
     warn(arguments.input.string() + ": " + note, program);
   if (Status reported = write_report(run); !reported) return reported.error();

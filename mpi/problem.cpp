@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "../cli/input.hpp"
+#include "../cli/kept_segments.hpp"
 #include "../cli/refusal.hpp"
 #include "../core/support/open_file.hpp"
 #include "../core/support/stopwatch.hpp"
@@ -28,6 +29,8 @@ Result<Problem, Refusal> read_problem(const std::filesystem::path& file, const G
   Result<MaybeRepaired, Refusal> valid =
       valid_domain(std::move(*domain), how.repair, {.snap = how.snap, .convex_hull = options.convex_hull}, how.threads);
   if (!valid) return valid.error();
+  if (Status kept = check_kept_segments(*valid, how.kept_markers); !kept)
+    return Refusal(with_name(kept.error(), file.string()));
   if (Status fits = check_sizes_of(*valid, sizes->field); !fits) return Refusal(fits.error());
   const double validate_seconds = watch.seconds();
   Result<Goal> goal = make_goal(options, *sizes, valid->domain);

@@ -29,6 +29,7 @@ struct HowToRead {
   bool repair = false;
   std::optional<double> snap{};
   cli::CrossingPolygons in_sources = cli::CrossingPolygons::refused;
+  std::vector<int> kept_markers{};  ///< each is that of a segment, or the domain is refused
 };
 
 /// Error: `usage` if there are several ranks and one of the inputs is standard input, which mpirun gives to one rank.

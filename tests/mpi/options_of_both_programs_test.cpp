@@ -242,8 +242,56 @@ TEST_F(BothPrograms, count_points_outside_once_whatever_each_rank_reads) {
     const Ran ran = on_ranks(
         3, {"mesh", "outside.poly", "-o", "out.pvtu", "--max-area", "1e-3", "--read", reading, "--json", "ranks.json"});
     EXPECT_EQ(ran.exit_code, 0) << ran;
-    EXPECT_TRUE(holds(ran.err, {"pardel-mpi: outside.poly: note: 2 points are in no triangle", "'pardel convert "}));
+    EXPECT_TRUE(holds(ran.err, {"pardel-mpi: outside.poly: note: 2 points, the first at (2, 0.5), are in no triangle",
+                                "'pardel convert "}));
     EXPECT_EQ(Json::parse(read("ranks.json")).at("points_outside"), 2);
+  }
+}
+
+TEST_F(BothPrograms, name_the_first_point_outside) {
+  // The first one is in the part of the second rank, and the ranks have the others in another order.
+  std::string nodes = "8 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n5 9 9\n6 -3 0.5\n7 2 0.5\n8 -1 -1\n",
+              segments = "4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n";
+  write("first.poly", nodes + segments);
+  const Ran one = pardel({"mesh", "first.poly", "-o", "out.vtu", "--max-area", "1e-3"});
+  EXPECT_TRUE(holds(one.err, {"first.poly: note: 4 points, the first at (9, 9), are in no triangle"})) << one;
+  for (const char* reading : {"whole", "parts"})
+    for (const int ranks : {1, 3}) {
+      const Ran ran =
+          on_ranks(ranks, {"mesh", "first.poly", "-o", "out.pvtu", "--max-area", "1e-3", "--read", reading});
+      EXPECT_TRUE(holds(ran.err, {"first.poly: note: 4 points, the first at (9, 9), are in no triangle"})) << ran;
+    }
+}
+
+TEST_F(BothPrograms, refuse_to_keep_segments_with_a_marker_that_none_has) {
+  write("marked.poly", "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n4 1\n1 1 2 5\n2 2 3 6\n3 3 4 7\n4 4 1 8\n0\n");
+  write("points.node", "5 2 0 0\n1 0 0\n2 1 0\n3 1.1 1\n4 0 1\n5 0.3 0.4\n");
+  struct Case {
+    std::vector<std::string> arguments;
+    int exit_code;
+    const char* message;
+  };
+  for (const auto& [arguments, exit_code, message] : std::vector<Case>{
+           {{"marked.poly", "--keep", "5,9"}, 3, "marked.poly: --keep: no segment of the domain has the marker 9\n"},
+           {{"marked.poly", "--keep", "1"}, 3, "marked.poly: --keep: no segment of the domain has the marker 1\n"},
+           {{"marked.poly", "--keep", "5,8"}, 0, ""},
+           {{"marked.poly", "--keep", "1", "--convex-hull"}, 0, ""},
+           {{"points.node", "--keep", "1"}, 0, ""},
+           {{"points.node", "--keep", "2"}, 3, "points.node: --keep: no segment of the domain has the marker 2\n"},
+           {{"crossing.poly", "--keep", "1,2"}, 3, "crossing.poly: Segments "}}) {
+    for (const char* reading : {"one process", "whole", "parts"}) {
+      std::vector<std::string> all = arguments;
+      all.insert(all.begin(), "mesh");
+      const bool is_one = reading == std::string("one process");
+      if (is_one) all.insert(all.end(), {"-o", "out.vtu"});
+      if (!is_one) all.insert(all.end(), {"-o", "out.pvtu", "--read", reading});
+      const Ran ran = is_one ? pardel(all) : on_ranks(2, all);
+      EXPECT_EQ(ran.exit_code, exit_code) << reading << ran;
+      EXPECT_TRUE(holds(ran.err, {message})) << reading << ran;
+      EXPECT_EQ(exists(is_one ? "out.vtu" : "out.pvtu"), exit_code == 0) << reading << ran;
+      std::filesystem::remove(folder_ / "work" / "out.vtu");
+      std::filesystem::remove(folder_ / "work" / "out.pvtu");
+    }
   }
 }
 
