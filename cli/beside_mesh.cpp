@@ -45,8 +45,9 @@ Stores stores(MeshFormat format) {
               .attributes_of_points = 1};
     case MeshFormat::inp:
       return {.markers_of_points = false, .attributes_of_points = 0};
-    case MeshFormat::triangle:
     case MeshFormat::vtk:
+      return {.fields = true};
+    case MeshFormat::triangle:
     case MeshFormat::svg:
       break;
   }

@@ -63,8 +63,8 @@ Size function_of(const Raster& raster, const std::string& name, const ValidPslg&
 Size function_of(const Mesh& background, const std::string& name, const ValidPslg&) {
   if (background.attributes_per_point == 0 && field_of_sizes(background) == nullptr) {
     return Error{ErrorKind::invalid_input,
-                 fmt::format("{}: the mesh has no values at its points that could be edge lengths (in a .vtu a point "
-                             "array such as 'size' or 'attributes', in a .msh $NodeData, in a .node the first "
+                 fmt::format("{}: the mesh has no values at its points that could be edge lengths (in a .vtu or .vtk a "
+                             "point array such as 'size' or 'attributes', in a .msh $NodeData, in a .node the first "
                              "attribute)",
                              name)};
   }

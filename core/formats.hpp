@@ -69,7 +69,7 @@ enum class MeshFormat : std::uint8_t { msh, off, svg, vtu, vtk, two_dm, gr3, inp
 ///                the numbers in the point array `GlobalNodeId` if all have it; otherwise their points are different.
 /// What else a file has beside the mesh is listed in Mesh::left_out.
 ///   .off         triangles, and the constrained edges that write_off() lists in comments.
-///   .vtk         legacy files of VTK in ASCII, an unstructured grid; cells and arrays as of a .vtu, but no fields.
+///   .vtk         legacy files of VTK in ASCII, an unstructured grid; cells and arrays as of a .vtu.
 ///   .2dm         the triangles E3T; nodes by their numbers, whose z is the attribute of the point. The first material
 ///                of a triangle is the attribute of its region. Nodestrings are constrained edges; the integer after
 ///                the end of a nodestring is their marker, or else the number of the nodestring, from 1 on.
@@ -190,8 +190,8 @@ struct TriangleFiles {
 /// names of markers and regions are field data: an array of the name, with the marker and 1, or the attribute and 2.
 [[nodiscard]] Status write_vtu(const Mesh& mesh, const std::filesystem::path& file,
                                ElementOrder elements = ElementOrder::first);
-/// Writes a legacy file of VTK (version 3.0, ASCII) with the cells and the arrays of write_vtu(), without `quality`,
-/// fields and names. Source: The VTK User's Guide, "Simple legacy formats".
+/// Writes a legacy file of VTK (version 3.0, ASCII) with the cells and the arrays of write_vtu(), without `quality` and
+/// names. Fields are 0 on lines. Source: The VTK User's Guide, "Simple legacy formats".
 [[nodiscard]] Status write_vtk(const Mesh& mesh, const std::filesystem::path& file);
 
 /// The name of the cell array in which write_vtu() writes the smallest angles.

@@ -169,7 +169,8 @@ void round_trip(const Mesh& mesh, const Scratch& scratch) {
              [](const Mesh& m, const fs::path& f) { return write_vtu(m, f); });
   round_trip(mesh, scratch / "again.off", {.regions = false, .data_of_points = false},
              [](const Mesh& m, const fs::path& f) { return write_off(m, f); });
-  round_trip(mesh, scratch / "again.vtk", {}, [](const Mesh& m, const fs::path& f) { return write_vtk(m, f); });
+  round_trip(mesh, scratch / "again.vtk", {.fields = true},
+             [](const Mesh& m, const fs::path& f) { return write_vtk(m, f); });
   // In these formats regions are whole numbers, and the edges have another order or are those of the boundary.
   constexpr Keeps triangles{.regions = false, .data_of_points = false, .edges = false};
   round_trip(mesh, scratch / "again.2dm", triangles, [](const Mesh& m, const fs::path& f) { return write_2dm(m, f); });

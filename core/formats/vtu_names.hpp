@@ -1,11 +1,14 @@
-// The names of fields in a VTU file.
+// The names of fields in a VTU file, and in a legacy file of VTK.
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
 #include "../formats.hpp"
+#include "../support/same_attribute.hpp"
+#include "../support/smallest_angle.hpp"
 #include "xml_tag.hpp"
 
 namespace pardel::files {
@@ -15,6 +18,19 @@ namespace pardel::files {
   return std::ranges::any_of(mesh.fields, [](const Field& field) {
     return field.place == Field::Place::triangles && field.name == vtu_quality;
   });
+}
+
+/// True for a field that has the name and the values of the array that write_vtu() computes. The first triangles
+/// decide.
+[[nodiscard]] inline bool is_quality(const Field& field, const Mesh& mesh) {
+  if (field.place != Field::Place::triangles || field.name != vtu_quality || field.components != 1) return false;
+  constexpr std::size_t enough = 100;
+  for (std::size_t t = 0; t < std::min(enough, mesh.triangles.size()); ++t) {
+    const auto& v = mesh.triangles[t].v;
+    const double angle = smallest_angle({mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]]});
+    if (!is_same_attribute(angle, field.values[t]) && !(std::abs(angle - field.values[t]) < 1e-6)) return false;
+  }
+  return true;
 }
 
 /// One name per field. The arrays of points have distinct names, and so have those of cells, different from those of

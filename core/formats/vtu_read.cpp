@@ -20,6 +20,7 @@
 #include "triangle_sections.hpp"
 #include "vtk_cells.hpp"
 #include "vtu_arrays.hpp"
+#include "vtu_names.hpp"
 
 namespace pardel::files {
 namespace {
@@ -257,7 +258,7 @@ class VtuMesh {
     if (components == 0) return;
     Field field{name, place, components, std::move(*read)};
     if (!of_points) keep_triangles(field.values, components);
-    if (!is_quality(field)) mesh_.fields.push_back(std::move(field));
+    if (!is_quality(field, mesh_)) mesh_.fields.push_back(std::move(field));
   }
 
   /// Of the values of cells, leaves those of triangles. No triangle comes after its cell, so they move forwards.
@@ -268,18 +269,6 @@ class VtuMesh {
     for (std::size_t t = leading_triangles_; t < mesh_.triangles.size(); ++t)
       for (std::size_t k = 0; k < components; ++k) values[t * components + k] = values[cell_of(t) * components + k];
     values.resize(mesh_.triangles.size() * components);
-  }
-
-  /// The array that write_vtu() computes. The first triangles decide.
-  [[nodiscard]] bool is_quality(const Field& field) const {
-    if (field.place != Field::Place::triangles || field.name != vtu_quality || field.components != 1) return false;
-    constexpr std::size_t enough = 100;
-    for (std::size_t t = 0; t < std::min(enough, mesh_.triangles.size()); ++t) {
-      const auto& v = mesh_.triangles[t].v;
-      const double angle = smallest_angle({mesh_.points[v[0]], mesh_.points[v[1]], mesh_.points[v[2]]});
-      if (!is_same_attribute(angle, field.values[t]) && !(std::abs(angle - field.values[t]) < 1e-6)) return false;
-    }
-    return true;
   }
 
   void read_field_data() {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "../../core/formats.hpp"
 #include "program.hpp"
 
 namespace pardel::testing {
@@ -97,7 +98,7 @@ TEST_F(BesideMesh, fields_and_names_go_from_msh_to_vtu_and_back) {
 }
 
 TEST_F(BesideMesh, a_format_without_fields_and_names_makes_a_note) {
-  for (const std::string to : {"t.off", "t.node", "t.vtk", "t.2dm", "t.gr3", "t.inp"}) {
+  for (const std::string to : {"t.off", "t.node", "t.2dm", "t.gr3", "t.inp"}) {
     const Ran ran = pardel({"convert", "tank.msh", to});
     EXPECT_EQ(ran.exit_code, 0) << ran;
     EXPECT_TRUE(holds(ran.err, {" cannot store: ",
@@ -144,13 +145,35 @@ TEST_F(BesideMesh, fields_of_order_2_are_those_of_the_vertices_when_they_are_rea
   }
 }
 
-TEST_F(BesideMesh, arrays_of_a_vtk_that_are_not_read_make_a_note) {
-  write("t.vtk",
-        "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 3 double\n0 0 0 1 0 0 0 1 0\n"
-        "CELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n5\nPOINT_DATA 3\nSCALARS T double\nLOOKUP_TABLE default\n1 2 3\n"
-        "VECTORS speed double\n0 0 0 1 1 0 2 2 0\n");
-  EXPECT_EQ(pardel({"convert", "t.vtk", "t.vtu"}).err,
-            "pardel: t.vtk: note: not read: the array \"T\", the array \"speed\"\n");
+TEST_F(BesideMesh, arrays_of_a_vtk_are_fields_in_other_formats_and_back) {
+  const std::string vtk =
+      "# vtk DataFile Version 3.0\npardel\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 3 double\n0 0 0\n1 0 0\n0 1 0\n"
+      "CELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n5\n";
+  write("t.vtk", vtk +
+                     "POINT_DATA 3\nSCALARS T double\nLOOKUP_TABLE default\n1 2 3\n"
+                     "VECTORS speed double\n0 0 0 1 1 0 2 2 0\n");
+  const Ran ran = pardel({"convert", "t.vtk", "t.vtu"});
+  EXPECT_EQ(ran.exit_code, 0) << ran;
+  EXPECT_EQ(ran.err, "pardel: t.vtk: note: the file has the fields \"T\" at points, \"speed\" at points\n");
+  ASSERT_EQ(pardel({"convert", "t.vtu", "back.vtk"}).exit_code, 0);
+  EXPECT_EQ(read("back.vtk"),
+            vtk + "POINT_DATA 3\nFIELD FieldData 2\nT 1 3 double\n1\n2\n3\nspeed 3 3 double\n0 0 0\n1 1 0\n2 2 0\n");
+  EXPECT_TRUE(
+      holds(pardel({"convert", "t.vtk", "t.off"}).err, {".off cannot store: the field \"T\", the field \"speed\"\n"}));
+}
+
+TEST_F(BesideMesh, a_vtk_has_fields_but_no_names_and_no_times) {
+  const Ran ran = pardel({"convert", "tank.msh", "tank.vtk"});
+  EXPECT_EQ(ran.exit_code, 0) << ran;
+  EXPECT_TRUE(holds(ran.err, {"tank.vtk: note: .vtk cannot store: the name \"wall of the tank\", the name \"water\", "
+                              "times of fields\n"}))
+      << ran;
+  ASSERT_EQ(pardel({"convert", "tank.msh", "first.vtu"}).exit_code, 0);
+  const Result<Mesh> vtu = read_mesh(folder_ / "work" / "first.vtu"), vtk = read_mesh(folder_ / "work" / "tank.vtk");
+  ASSERT_TRUE(vtu && vtk);
+  EXPECT_EQ(vtk->fields.size(), 2U);
+  EXPECT_EQ(vtk->fields, vtu->fields);
+  EXPECT_TRUE(vtk->left_out.things().empty());
 }
 
 TEST_F(BesideMesh, a_refined_mesh_keeps_the_names_and_the_report_lists_them) {

@@ -1,9 +1,13 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <string>
 #include <vector>
 
 #include "../../../core/formats.hpp"
 #include "../../temporary_folder.hpp"
+#include "../mesh_with_fields.hpp"
 #include "../sample_mesh.hpp"
 #include "broken_text.hpp"
 
@@ -92,8 +96,104 @@ TEST(Vtk, of_version_5_with_other_arrays_is_read) {
   EXPECT_EQ(read->triangles[1].v, (std::array<Index, 3>{0, 2, 3}));
   EXPECT_EQ(read->constrained_edges, (std::vector<ConstrainedEdge>{{3, 0, no_index, 8}}));
   EXPECT_EQ(read->region_attributes, (std::vector<double>{6, 7}));
-  ASSERT_EQ(read->attributes_per_point, 1U);
-  EXPECT_EQ(read->point_attributes[3], 4);
+  EXPECT_EQ(read->attributes_per_point, 0U);
+}
+
+using Values = std::vector<double>;
+using Texts = std::vector<std::string>;
+
+TEST(Vtk, other_arrays_are_fields_those_at_points_first) {
+  const TemporaryFolder folder;
+  const auto read = read_mesh(folder.write("m.vtk", of_vtk_9));
+  ASSERT_TRUE(read.ok()) << read.error().message;
+  const auto field = [](const char* name, Field::Place place, std::size_t components, const Values& values) {
+    return Field{name, place, components, Array<double>(values), 0};
+  };
+  constexpr auto at_points = Field::Place::points, in_triangles = Field::Place::triangles;
+  ASSERT_EQ(read->fields.size(), 5U);
+  EXPECT_EQ(read->fields[0], field("n", at_points, 3, {0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1}));
+  EXPECT_EQ(read->fields[1], field("c", at_points, 2, Values(8)));
+  EXPECT_EQ(read->fields[2], field("size", at_points, 1, {1, 2, 3, 4}));
+  EXPECT_EQ(read->fields[3], field("quality", in_triangles, 1, {std::nan(""), 1}));
+  EXPECT_EQ(read->fields[4], field("flow", in_triangles, 3, {1, 2, 3, 1, 2, 3}));
+  EXPECT_EQ(read->left_out.things(), (Texts{"the array \"TIME\"", "values in cells that are not triangles"}));
+}
+
+/// A line comes before a triangle.
+TEST(Vtk, a_field_of_cells_is_that_of_its_triangles) {
+  const TemporaryFolder folder;
+  const std::string grid =
+      "# vtk DataFile Version 2.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 3 float\n0 0 0 1 0 0 0 1 0\nCELLS 2 7\n"
+      "2 0 1\n3 0 1 2\nCELL_TYPES 2\n3 5\n";
+  const auto heat = [&](const std::string& of_line) {
+    const auto read = read_mesh(folder.write("m.vtk", grid + "CELL_DATA 2\nTENSORS a%20%41%zz%4 float\n" + of_line +
+                                                          " 0 0 0 0 0 0 0 0 1 2 3 4 5 6 7 8 nan\n" +
+                                                          "FIELD F 2\nshort 1 1 int\n7\nwords 1 2 string\na b\n"));
+    EXPECT_TRUE(read.ok()) << read.error().message;
+    return read.ok() ? *read : Mesh();
+  };
+  const Texts left_out = {"the array \"short\"", "the array \"words\""};
+  for (const char* of_line : {"0", "nan"}) {
+    const Mesh mesh = heat(of_line);
+    ASSERT_EQ(mesh.fields.size(), 1U);
+    EXPECT_EQ(mesh.fields[0], (Field{"a A%zz%4", Field::Place::triangles, 9,
+                                     Array<double>(Values{1, 2, 3, 4, 5, 6, 7, 8, std::nan("")}), 0}));
+    EXPECT_EQ(mesh.left_out.things(), left_out);
+  }
+  EXPECT_EQ(heat("5").left_out.things().back(), "values in cells that are not triangles");
+}
+
+TEST(Vtk, fields_read_back_the_same) {
+  const TemporaryFolder folder;
+  Mesh mesh = mesh_with_fields();
+  mesh.names.clear();
+  for (Field& field : mesh.fields) field.time = 0;
+  mesh.fields[0].name = "a # \"b\"\n%41 \xC3\xA9";
+  ASSERT_TRUE(write_vtk(mesh, folder / "m.vtk"));
+  const Result<Mesh> read = read_mesh(folder / "m.vtk");
+  ASSERT_TRUE(read) << read.error().message;
+  ASSERT_EQ(read->fields.size(), mesh.fields.size());
+  for (const Field& field : mesh.fields) EXPECT_EQ(std::ranges::count(read->fields, field), 1) << field.name;
+  EXPECT_EQ(read->left_out.things(), Texts());
+  ASSERT_TRUE(write_vtk(*read, folder / "again.vtk"));
+  EXPECT_EQ(*read_mesh(folder / "again.vtk"), *read);
+}
+
+TEST(Vtk, fields_get_names_that_the_mesh_does_not_need) {
+  const TemporaryFolder folder;
+  Mesh mesh = sample_mesh();
+  for (const char* name : {"attributes", "marker", "METADATA", ""})
+    mesh.fields.push_back({name, Field::Place::points, 1, Array<double>(Values{1, 2, 3, 4, 5, 6}), 0});
+  mesh.fields.push_back({"region", Field::Place::triangles, 1, Array<double>(Values{1, 2, 3, 4}), 0});
+  ASSERT_TRUE(write_vtk(mesh, folder / "m.vtk"));
+  const Result<Mesh> read = read_mesh(folder / "m.vtk");
+  ASSERT_TRUE(read) << read.error().message;
+  Texts names;
+  for (const Field& field : read->fields) names.push_back(field.name);
+  EXPECT_EQ(names, (Texts{"attributes 2", "marker 2", "METADATA", "field", "region 2"}));
+  EXPECT_EQ(read->point_markers, mesh.point_markers);
+  EXPECT_EQ(read->point_attributes, mesh.point_attributes);
+  EXPECT_EQ(read->region, mesh.region);
+}
+
+TEST(Vtk, errors_in_fields_name_the_line) {
+  const TemporaryFolder folder;
+  const std::string grid =
+      "# vtk DataFile Version 2.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 3 float\n0 0 0 1 0 0 0 1 0\n"
+      "CELLS 1 4\n3 0 1 2\n";
+  const auto failure = [&](const std::string& data) {
+    return message_of(read_mesh(folder.write("w.vtk", grid + data)), folder);
+  };
+  const std::string types = "CELL_TYPES 1\n5\n";
+  EXPECT_EQ(failure(types + "POINT_DATA 3\nVECTORS v float\n1 2 3\n4 x 6\n7 8 9\n"),
+            "w.vtk:14: expected a value, found \"x\"");
+  EXPECT_EQ(failure(types + "POINT_DATA 3\nSCALARS T float\nLOOKUP_TABLE default\n1000\n2000\n"),
+            "w.vtk:16: expected a value, found the end of the file");
+  EXPECT_EQ(failure(types + "POINT_DATA 3\nFIELD F 1\nT 1000000 3 float\n1 2 3\n"),
+            "w.vtk:13: announces 1000000 the number of components, but the rest of the file is too short for that");
+  EXPECT_EQ(failure(types + "VECTORS v float\n1 2 3\n"), "w.vtk:12: expected CELL_DATA or POINT_DATA before an array");
+  EXPECT_EQ(failure("POINT_DATA 3\nVECTORS v float\n1 2 3 1 2 3 1 2 3\n" + types),
+            "w.vtk:9: expected CELL_TYPES before POINT_DATA");
 }
 
 TEST(Vtk, errors_name_the_line_and_the_fault) {
