@@ -10,7 +10,8 @@
 namespace pardel::cli {
 
 /// A warning that lists ten gaps of the domain, one per line, and names a snapping distance that closes the narrowest.
-/// A trial of the repair shows if the distance removes more than gaps; the text then says so. Empty without gaps.
+/// A trial of the repair shows what it merges and removes, and if that is more than gaps; the text says so. Empty
+/// without gaps.
 [[nodiscard]] std::string gaps_text(std::span<const Gap> gaps, const std::string& file, const ValidPslg& domain);
 
 /// All gaps, as an array. Ids are counted from `first_id`.

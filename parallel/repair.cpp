@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "decomposition/bounding_box.hpp"
+#include "diagnosis/count_faces.hpp"
 #include "diagnosis/narrowest_part.hpp"
 #include "diagnosis/tiny_gaps.hpp"
 #include "domain/repair_once.hpp"
@@ -146,23 +147,46 @@ double twice_area_of(const DomainTriangulation& domain) {
   return sum;
 }
 
+/// The number of different values.
+std::size_t distinct(std::vector<Index> values) {
+  std::ranges::sort(values);
+  const auto rest = std::ranges::unique(values);
+  return static_cast<std::size_t>(rest.begin() - values.begin());
+}
+
 }  // namespace
 
-Result<bool> keeps_all_parts(const ValidPslg& domain, double snap) try {
-  const Result<DomainTriangulation> triangulated = triangulate_domain(domain.pslg(), domain.convex_hull());
+Result<SnapEffect> effect_of_snap(const ValidPslg& domain, double snap) try {
+  const Pslg& before = domain.pslg();
+  const Result<DomainTriangulation> triangulated = triangulate_domain(before, domain.convex_hull());
   if (!triangulated) return triangulated.error();
-  if (narrowest_part(*triangulated) <= snap) return false;
-  const Result<Repaired> repaired = repair(domain.pslg(), {.snap = snap, .convex_hull = domain.convex_hull()});
-  if (!repaired) return repaired.error().kind == ErrorKind::invalid_input ? Result<bool>(false) : repaired.error();
+  const Result<Repaired> repaired = repair(before, {.snap = snap, .convex_hull = domain.convex_hull()});
+  if (!repaired)
+    return repaired.error().kind == ErrorKind::invalid_input ? SnapEffect{} : Result<SnapEffect>(repaired.error());
   const Pslg& after = repaired->domain.pslg();
-  if (after.holes.size() != domain.pslg().holes.size() || after.regions.size() != domain.pslg().regions.size())
-    return false;
-  const Result<DomainTriangulation> changed = triangulate_domain(after, domain.convex_hull());
+  const Result<DomainTriangulation> changed = triangulate_domain(after, repaired->domain.convex_hull());
   if (!changed) return changed.error();
+  std::vector<Index> kept = repaired->segment_map;
+  std::erase(kept, no_index);
   const double area = twice_area_of(*triangulated);
-  return std::abs(twice_area_of(*changed) - area) <= most_change_of_area * area;
+  SnapEffect effect{.succeeds = true,
+                    .points = before.points.size() - distinct(repaired->point_map),
+                    .segments = before.segments.size() - distinct(std::move(kept)),
+                    .faces_before = count_faces(*triangulated),
+                    .faces_after = count_faces(*changed),
+                    .area = (twice_area_of(*changed) - area) / area};
+  effect.keeps_all_parts = narrowest_part(*triangulated) > snap && after.holes.size() == before.holes.size() &&
+                           after.regions.size() == before.regions.size() &&
+                           std::abs(effect.area) <= most_change_of_area;
+  return effect;
 } catch (...) {
   return error_of_exception();
+}
+
+Result<bool> keeps_all_parts(const ValidPslg& domain, double snap) {
+  const Result<SnapEffect> effect = effect_of_snap(domain, snap);
+  if (!effect) return effect.error();
+  return effect->keeps_all_parts;
 }
 
 }  // namespace pardel

@@ -90,10 +90,23 @@ struct Repaired {
 /// rounding", 2002.
 [[nodiscard]] Result<Repaired> repair(const Pslg& pslg, const RepairOptions& options = {});
 
-/// True if repair() with this snapping distance removes nothing of the domain but narrow gaps: it succeeds and keeps
-/// all holes and regions, each connected part of the domain is wider than the distance, and the area of the domain
-/// changes by at most one hundredth. The width of a part is twice its area divided by its perimeter. Errors and time:
-/// those of triangulate() and repair().
+/// What repair() with a snapping distance makes of a domain.
+struct SnapEffect {
+  bool succeeds = false;         ///< false: the repair fails, and the numbers below are 0
+  std::size_t points = 0;        ///< points that are merged with others
+  std::size_t segments = 0;      ///< segments that are merged with others or vanish
+  std::size_t faces_before = 0;  ///< faces of the domain: what can be reached without crossing a segment
+  std::size_t faces_after = 0;
+  double area = 0;  ///< the change of the area of the domain, divided by its area
+  /// True if nothing is removed but narrow gaps: the repair keeps all holes and regions, each connected part of the
+  /// domain is wider than the distance, and the area changes by at most one hundredth. The width of a part is twice its
+  /// area divided by its perimeter.
+  bool keeps_all_parts = false;
+};
+/// Errors and time: those of triangulate() and repair(); a repair that fails because nothing of the domain is left is
+/// no error.
+[[nodiscard]] Result<SnapEffect> effect_of_snap(const ValidPslg& domain, double snap);
+/// SnapEffect::keeps_all_parts.
 [[nodiscard]] Result<bool> keeps_all_parts(const ValidPslg& domain, double snap);
 
 }  // namespace pardel

@@ -141,11 +141,42 @@ TEST_F(DoctorCommand, warns_of_an_outline_that_is_not_closed_after_the_repair_to
   EXPECT_TRUE(holds(pardel({"doctor", "well.poly"}).err, {"well.poly: warning: " + message}));
 }
 
+/// The spike becomes a line outside the domain, and the channel one between its two ends.
+TEST_F(DoctorCommand, and_mesh_say_what_a_snapping_distance_removes) {
+  write("spike.poly",
+        "7 2 0 0\n1 0 0\n2 1 0\n3 1 0.5\n4 2 0.5000005\n5 1 0.500001\n6 1 1\n7 0 1\n"
+        "7 0\n1 1 2\n2 2 3\n3 3 4\n4 4 5\n5 5 6\n6 6 7\n7 7 1\n0\n");
+  write("channel.poly",
+        "12 2 0 0\n1 0 0\n2 100 0\n3 100 50\n4 200 50\n5 200 0\n6 300 0\n7 300 100\n8 200 100\n9 200 50.0001\n"
+        "10 100 50.0001\n11 100 100\n12 0 100\n"
+        "12 0\n1 1 2\n2 2 3\n3 3 4\n4 4 5\n5 5 6\n6 6 7\n7 7 8\n8 8 9\n9 9 10\n10 10 11\n11 11 12\n12 12 1\n0\n");
+  write("strip.poly",
+        "6 2 0 0\n1 0 0\n2 100 0\n3 100 100\n4 0 100\n5 0 0.00001\n6 100 0.00001\n"
+        "7 0\n1 1 2\n2 2 6\n3 6 3\n4 3 4\n5 4 5\n6 5 1\n7 5 6\n0\n");
+  for (const auto& [file, advice] :
+       {std::pair{"spike.poly",
+                  " closes the narrowest (1 point and 1 segment merge with others, the area changes by -5e-05 %); look "
+                  "at the result\n"},
+        {"channel.poly",
+         " closes the narrowest (2 points and 1 segment merge with others, the area changes by -5e-05 %, 1 face "
+         "becomes "
+         "2); look at the result\n"},
+        {"strip.poly",
+         " closes the narrowest (2 points and 3 segments merge with others, 1 of 2 faces "
+         "vanishes); look at the result\n"}}) {
+    EXPECT_TRUE(holds(pardel({"doctor", file}).err, {"\n--repair with --snap ", advice})) << pardel({"doctor", file});
+    const Ran mesh = pardel({"mesh", file, "-o", "m.vtu", "--max-vertices", "1000"});
+    EXPECT_TRUE(holds(mesh.err, {"\n--repair with --snap ", advice})) << mesh;
+  }
+}
+
 TEST_F(DoctorCommand, names_no_snapping_distance_without_saying_that_it_removes_the_domain) {
   write("plate.poly", "4 2 0 0\n1 0 0\n2 1 0\n3 1 1e-8\n4 0 1e-8\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n");
   const Ran ran = pardel({"doctor", "plate.poly"});
   EXPECT_EQ(ran.exit_code, 0) << ran;
-  EXPECT_TRUE(holds(ran.err, {"--snap 2.2e-08 would close the narrowest, but also remove a part of the domain"}));
+  EXPECT_TRUE(
+      holds(ran.err, {"--snap 2.2e-08 would close the narrowest, but also remove a part of the domain, a hole or a "
+                      "region (the repair fails)\n"}));
   EXPECT_EQ(pardel({"doctor", "plate.poly", "--repair", "fixed.poly", "--snap", "2.2e-8"}).exit_code, 3);
 }
 

@@ -68,6 +68,7 @@ const std::map<std::string, std::vector<std::string>> covering_tests = {
     {"meshing/mesh_in_ranks", {"meshing/pieces_test"}},
     {"meshing/piece", {"meshing/pieces_test"}},
     {"meshing/vertex_data", {"meshing/pieces_test"}},
+    {"diagnosis/count_faces", {"domain/repair_test"}},
     {"diagnosis/far_part", {"diagnosis/warnings_test"}},
     {"diagnosis/narrowest_part", {"domain/repair_test"}},
     {"diagnosis/straight_walk", {"diagnosis/find_gaps_test", "diagnosis/find_least_size_test"}},

@@ -464,6 +464,24 @@ TEST(KeepsAllParts, is_false_for_a_distance_that_cuts_a_corner_off) {
   EXPECT_TRUE(*keeps_all_parts(*validate(sliver), 0.09));
 }
 
+TEST(EffectOfSnap, counts_what_merges_and_the_faces) {
+  Pslg strip = square(1);
+  strip.points.insert(strip.points.end(), {{0.25, 0.5}, {0.75, 0.5}, {0.75, 0.5 + 1e-8}, {0.25, 0.5 + 1e-8}});
+  strip.segments.insert(strip.segments.end(), {{4, 5, 0}, {5, 6, 0}, {6, 7, 0}, {7, 4, 0}});
+  const SnapEffect none = *effect_of_snap(*validate(strip), 1e-10), closed = *effect_of_snap(*validate(strip), 2e-8);
+  EXPECT_EQ(none.points + none.segments, 0U);
+  EXPECT_EQ(none.faces_before, 2U);
+  EXPECT_EQ(none.faces_after, 2U);
+  EXPECT_EQ(none.area, 0);
+  EXPECT_TRUE(none.succeeds && none.keeps_all_parts);
+  EXPECT_EQ(closed.points, 2U);
+  EXPECT_EQ(closed.segments, 3U);
+  EXPECT_EQ(closed.faces_after, 1U);
+  EXPECT_TRUE(closed.succeeds);
+  const SnapEffect nothing_left = *effect_of_snap(*validate(square(1)), 3);
+  EXPECT_FALSE(nothing_left.succeeds || nothing_left.keeps_all_parts);
+}
+
 TEST(KeepsAllParts, is_true_for_a_distance_that_closes_a_gap_inside_the_domain) {
   Pslg sliver = square(1);
   sliver.points.insert(sliver.points.end(), {{0.25, 1e-8}, {0.75, 1e-8}});
