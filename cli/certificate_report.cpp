@@ -21,12 +21,16 @@ Status require_sizes(const Mesh& mesh, const Goal& goal, const Certificate& cert
   return no_size;
 }
 
-void print_certificate(const Certificate& certificate, const std::filesystem::path& json, double max_circumradius) {
+void print_certificate(const Certificate& certificate, const std::filesystem::path& json, const NumbersOfFiles& numbers,
+                       double max_circumradius) {
   const std::string all_in = json.empty() ? "the file of --json" : json.string();
-  fmt::print("{}", summary_text(certificate));
+  fmt::print("{}", numbers.in_sentence(summary_text(certificate)));
   if (certificate.valid) return;
-  fmt::print("{}\nnote    vertices, triangles, points, segments, holes and regions are numbered from 0 here\n",
-             findings_text(certificate, all_in, max_circumradius));
+  fmt::print(
+      "{}\nnote    numbers are those of the files, or count from 0 where a file has none; triangles of a .msh count "
+      "from "
+      "1; --json counts from 0\n",
+      findings_text(certificate, all_in, numbers, max_circumradius));
 }
 
 }  // namespace pardel::cli

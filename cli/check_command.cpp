@@ -86,7 +86,8 @@ std::filesystem::path file_of_points(std::filesystem::path mesh) {
 }
 
 void print(const CheckArguments& arguments, const CheckInput& input, const Certificate& certificate) {
-  print_certificate(certificate, arguments.json, arguments.max_circumradius);
+  const NumbersOfFiles numbers(input.domain.pslg().first_id, input.mesh);
+  print_certificate(certificate, arguments.json, numbers, arguments.max_circumradius);
   if (are_input_points_rounded(certificate, input.mesh)) {
     fmt::print("hint    vertices differ from input points by rounding only: {} has too few digits{}\n",
                file_of_points(arguments.mesh).string(),

@@ -59,6 +59,14 @@ std::optional<double> size_at(const Goal& goal, Point p) {
   }
 }
 
+/// The place of a constrained edge in the list says nothing about its file. "constrained edge 5 (1-2) has ..." becomes
+/// "constrained edge 1-2 has ...".
+std::string named_by_its_ends(const Violation& violation) {
+  const std::size_t end = violation.witness.find(')');
+  if (violation.ids.size() != 3 || end == std::string::npos) return violation.witness;
+  return fmt::format("constrained edge {}-{}{}", violation.ids[1], violation.ids[2], violation.witness.substr(end + 1));
+}
+
 std::string sentence(const Violation& violation, const Goal& goal, double max_circumradius) {
   const std::vector<Index>& ids = violation.ids;
   const std::vector<Point>& p = violation.where;
@@ -93,6 +101,9 @@ std::string sentence(const Violation& violation, const Goal& goal, double max_ci
       return before(violation.witness, ", in-circle determinant");
     case ViolationKind::chain_off_segment:
       return fmt::format("vertex {} lies too far from segment {}", ids[0], ids[1]);
+    case ViolationKind::wrong_constrained_edge:
+    case ViolationKind::wrong_edge_marker:
+      return named_by_its_ends(violation);
     case ViolationKind::overlap:
       return before(violation.witness, ": the ends of each");
     default:
@@ -107,8 +118,9 @@ bool is_of_a_point(ViolationKind kind) {
 
 }  // namespace
 
-std::string in_words(const Violation& violation, const Goal& goal, double max_circumradius) {
-  std::string text = sentence(violation, goal, max_circumradius);
+std::string in_words(const Violation& violation, const Goal& goal, const NumbersOfFiles& numbers,
+                     double max_circumradius) {
+  std::string text = numbers.in_sentence(sentence(violation, goal, max_circumradius));
   if (!violation.where.empty()) {
     const Point at = violation.where.front();
     text += is_of_a_point(violation.kind) ? fmt::format(", at ({}, {})", at.x, at.y)
@@ -117,7 +129,8 @@ std::string in_words(const Violation& violation, const Goal& goal, double max_ci
   return text;
 }
 
-std::string findings_text(const Certificate& certificate, std::string_view all_in, double max_circumradius) {
+std::string findings_text(const Certificate& certificate, std::string_view all_in, const NumbersOfFiles& numbers,
+                          double max_circumradius) {
   std::string text;
   auto violation = certificate.violations.begin();
   for (std::size_t k = 0; k < certificate.violation_counts.size(); ++k) {
@@ -129,7 +142,7 @@ std::string findings_text(const Certificate& certificate, std::string_view all_i
     text += fmt::format("{}{}: {}", text.empty() ? "" : "\n", title, count);
     const std::uint64_t listed = std::min<std::uint64_t>(count, most_listed);
     for (std::uint64_t i = 0; i < listed; ++i, ++violation)
-      text += fmt::format("\n  {}", in_words(*violation, certificate.goal, max_circumradius));
+      text += fmt::format("\n  {}", in_words(*violation, certificate.goal, numbers, max_circumradius));
     if (count > listed) text += fmt::format("\n  ... and {} more (all in {})", count - listed, all_in);
     violation =
         std::find_if(violation, certificate.violations.end(), [&](const Violation& v) { return v.kind != kind; });
@@ -140,7 +153,7 @@ std::string findings_text(const Certificate& certificate, std::string_view all_i
 std::string check_message(const Certificate& certificate, bool goal_met) {
   const bool expected = !goal_met && only_bounds_missed(certificate);
   return (expected ? ": the check found missed bounds only\n" : ": the check found violations\n") +
-         findings_text(certificate, "the report of --json");
+         findings_text(certificate, "the report of --json", NumbersOfFiles(FirstId{}));
 }
 
 }  // namespace pardel::cli

@@ -5,20 +5,24 @@
 #include <string_view>
 
 #include "../properties/checker/check.hpp"
+#include "numbers_of_files.hpp"
 
 namespace pardel::cli {
 
 /// One violation as a short sentence with its place: "triangle 75: angle 34.9° is below 40°, at (0.5, 0.25)". Numbers
-/// are rounded. The witness of the violation, which JSON contains, is exact. `max_circumradius`: as in CheckOptions.
-[[nodiscard]] std::string in_words(const Violation& violation, const Goal& goal, double max_circumradius = 0);
+/// are rounded. The witness of the violation, which JSON contains, is exact, and counts from 0. `max_circumradius`: as
+/// in CheckOptions.
+[[nodiscard]] std::string in_words(const Violation& violation, const Goal& goal, const NumbersOfFiles& numbers,
+                                   double max_circumradius = 0);
 
 /// A paragraph per kind of violation: their number, ten of them in words, and how many more there are. `all_in`: the
 /// place that lists all of them. Precondition: the certificate lists at least ten violations of each kind, or all.
 [[nodiscard]] std::string findings_text(const Certificate& certificate, std::string_view all_in,
-                                        double max_circumradius = 0);
+                                        const NumbersOfFiles& numbers, double max_circumradius = 0);
 
 /// What follows the name of the input after the check of a mesh that `pardel mesh` has made: that the violations are
-/// missed bounds only, if the mesher knows that it has missed some, and the findings. Precondition: it is not valid.
+/// missed bounds only, if the mesher knows that it has missed some, and the findings, which count from 0 as the report.
+/// Precondition: it is not valid.
 [[nodiscard]] std::string check_message(const Certificate& certificate, bool goal_met);
 
 }  // namespace pardel::cli

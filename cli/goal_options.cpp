@@ -158,10 +158,11 @@ Result<GivenSizes> read_given_sizes(const GoalOptions& options, CrossingPolygons
   return given;
 }
 
-Result<Goal> make_goal(const GoalOptions& options, const GivenSizes& sizes, const ValidPslg& domain) {
+Result<Goal> make_goal(const GoalOptions& options, const GivenSizes& sizes, const ValidPslg& domain,
+                       const NumbersInFile& numbers) {
   Goal goal = goal_without_sizes(options);
   goal.convex_hull = goal.convex_hull && domain.convex_hull();  // a repair may draw the hull as an outline
-  Result<std::function<double(Point)>> size = size_function(sizes.field, options.sizes.string(), domain);
+  Result<std::function<double(Point)>> size = size_function(sizes.field, options.sizes.string(), domain, numbers);
   if (!size) return size.error();
   goal.size = std::move(*size);
   if (!options.grading) return goal;

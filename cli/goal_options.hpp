@@ -49,7 +49,8 @@ struct GivenSizes {
 };
 [[nodiscard]] Result<GivenSizes> read_given_sizes(const GoalOptions& options, CrossingPolygons crossing);
 
-/// The goal. `sizes`: what read_given_sizes() returned.
-[[nodiscard]] Result<Goal> make_goal(const GoalOptions& options, const GivenSizes& sizes, const ValidPslg& domain);
+/// The goal. `sizes`: what read_given_sizes() returned. `numbers`: of the points, for messages, as Mesh::numbers.
+[[nodiscard]] Result<Goal> make_goal(const GoalOptions& options, const GivenSizes& sizes, const ValidPslg& domain,
+                                     const NumbersInFile& numbers = {});
 
 }  // namespace pardel::cli

@@ -89,17 +89,17 @@ Result<MeshInput, Refusal> read(const MeshArguments& arguments, ProgressBar& bar
 
 /// With --refine only --sizes needs a valid domain: one that can be triangulated.
 Result<Goal, Refusal> make_goal(const MeshArguments& arguments, const MeshInput& input) {
-  const auto with_sizes = [&](const ValidPslg& domain) -> Result<Goal, Refusal> {
-    Result<Goal> goal = make_goal(arguments.goal, input.sizes, domain);
+  const auto with_sizes = [&](const ValidPslg& domain, const NumbersInFile& numbers) -> Result<Goal, Refusal> {
+    Result<Goal> goal = make_goal(arguments.goal, input.sizes, domain, numbers);
     if (!goal) return Refusal(goal.error());
     return std::move(*goal);
   };
-  if (const auto* domain = std::get_if<ValidPslg>(&input.source)) return with_sizes(*domain);
+  if (const auto* domain = std::get_if<ValidPslg>(&input.source)) return with_sizes(*domain, {});
   if (arguments.goal.sizes.empty()) return goal_without_sizes(arguments.goal);
-  const Result<ValidPslg, Refusal> domain =
-      validated(std::get<CoarseMesh>(input.source).domain, how_to_validate(arguments));
+  const CoarseMesh& coarse = std::get<CoarseMesh>(input.source);
+  const Result<ValidPslg, Refusal> domain = validated(coarse.domain, how_to_validate(arguments));
   if (!domain) return domain.error();
-  return with_sizes(*domain);
+  return with_sizes(*domain, coarse.domain.points);
 }
 
 /// Why there is no mesh. For a mesh that cannot be refined: the problems of its points and segments if there are any,

@@ -41,7 +41,7 @@ std::vector<double> sizes_at_points(const Mesh& mesh) {
   return sizes;
 }
 
-Size function_of(const PointSizes& sizes, const std::string& name, const ValidPslg& domain) {
+Size function_of(const PointSizes& sizes, const std::string& name, const ValidPslg& domain, const NumbersInFile&) {
   const std::size_t points = domain.pslg().points.size();
   if (sizes.size() != points) {
     return Error{ErrorKind::invalid_input, fmt::format("{}: {} sizes for {} input points", name, sizes.size(), points)};
@@ -49,24 +49,26 @@ Size function_of(const PointSizes& sizes, const std::string& name, const ValidPs
   return interpolated_size(domain, sizes);
 }
 
-Size function_of(const Raster& raster, const std::string& name, const ValidPslg& domain) {
+Size function_of(const Raster& raster, const std::string& name, const ValidPslg& domain, const NumbersInFile& numbers) {
   const Pslg& pslg = domain.pslg();
   for (std::size_t i = 0; i < pslg.points.size(); ++i)
     if (!raster.covers(pslg.points[i])) {
       return Error{ErrorKind::invalid_input, fmt::format("{}: the raster from {} to {} does not cover point {} at {}",
                                                          name, shortest(raster.low()), shortest(raster.high()),
-                                                         i + pslg.first_id.value, shortest(pslg.points[i]))};
+                                                         number_in_file(numbers, pslg.first_id, static_cast<Index>(i)),
+                                                         shortest(pslg.points[i]))};
     }
   return interpolated_size(raster, name);
 }
 
-Size function_of(const Mesh& background, const std::string& name, const ValidPslg&) {
+Size function_of(const Mesh& background, const std::string& name, const ValidPslg&, const NumbersInFile&) {
   if (background.attributes_per_point == 0 && field_of_sizes(background) == nullptr) {
-    return Error{ErrorKind::invalid_input,
-                 fmt::format("{}: the mesh has no values at its points that could be edge lengths (in a .vtu or .vtk a "
-                             "point array such as 'size' or 'attributes', in a .msh $NodeData, in a .node the first "
-                             "attribute)",
-                             name)};
+    return Error{
+        ErrorKind::invalid_input,
+        fmt::format("{}: the mesh has no values at its points that could be edge lengths (in a .vtu or .vtk a point "
+                    "array such as 'size' or 'attributes', in a .msh $NodeData, in a .node the first "
+                    "attribute)",
+                    name)};
   }
   const std::vector<double> sizes = sizes_at_points(background);
   if (const auto none = std::ranges::find_if(sizes, [](double size) { return std::isnan(size); });
@@ -80,7 +82,9 @@ Size function_of(const Mesh& background, const std::string& name, const ValidPsl
   return size;
 }
 
-Size function_of(std::monostate, const std::string&, const ValidPslg&) { return std::function<double(Point)>(); }
+Size function_of(std::monostate, const std::string&, const ValidPslg&, const NumbersInFile&) {
+  return std::function<double(Point)>();
+}
 
 Sources sources_in(const PointSizes& sizes, const ValidPslg& domain, double grading) {
   return size_sources(domain, sizes, grading);
@@ -106,8 +110,9 @@ Result<SizeField> read_size_field(const std::filesystem::path& file) {
   return field(read_sizes(file));
 }
 
-Size size_function(const SizeField& field, const std::string& name, const ValidPslg& domain) {
-  return std::visit([&](const auto& sizes) { return function_of(sizes, name, domain); }, field);
+Size size_function(const SizeField& field, const std::string& name, const ValidPslg& domain,
+                   const NumbersInFile& numbers) {
+  return std::visit([&](const auto& sizes) { return function_of(sizes, name, domain, numbers); }, field);
 }
 
 Sources sources_of(const SizeField& field, const ValidPslg& domain, double grading) {

@@ -27,9 +27,10 @@ using SizeField = std::variant<std::monostate, PointSizes, Raster, Mesh>;
 [[nodiscard]] Result<SizeField> read_size_field(const std::filesystem::path& file);
 
 /// The function for Goal::size; empty if the field is. `name` names the file in messages. Fails with `invalid_input` if
-/// the field does not fit the domain.
+/// the field does not fit the domain, whose points have these numbers in messages (Mesh::numbers).
 [[nodiscard]] Result<std::function<double(Point)>> size_function(const SizeField& field, const std::string& name,
-                                                                 const ValidPslg& domain);
+                                                                 const ValidPslg& domain,
+                                                                 const NumbersInFile& numbers = {});
 
 /// The sources for Goal::sources: where the lengths of the field grow faster than `grading`. Precondition:
 /// size_function() accepts the field.

@@ -67,10 +67,13 @@ struct Mesh {
   friend bool operator==(const Mesh&, const Mesh&) = default;
 };
 
-/// The number of a point in the file of the mesh.
+/// The number of a point in the file of a mesh.
+[[nodiscard]] inline std::uint64_t number_in_file(const NumbersInFile& numbers, FirstId first_id, Index point) {
+  const bool has_own = point < numbers.of_points.size();
+  return has_own ? numbers.of_points[point] : std::uint64_t{point} + static_cast<unsigned>(first_id.value);
+}
 [[nodiscard]] inline std::uint64_t number_in_file(const Mesh& mesh, Index point) {
-  const std::vector<std::uint64_t>& numbers = mesh.numbers.of_points;
-  return point < numbers.size() ? numbers[point] : std::uint64_t{point} + static_cast<unsigned>(mesh.first_id.value);
+  return number_in_file(mesh.numbers, mesh.first_id, point);
 }
 
 }  // namespace pardel

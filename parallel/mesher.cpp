@@ -78,7 +78,7 @@ Status check_caps(const Mesh& coarse, std::span<const double> max_areas) {
                                                std::to_string(coarse.triangles.size()) + " triangles"};
   for (std::size_t i = 0; i < max_areas.size(); ++i)
     if (!(max_areas[i] > 0))
-      return Error{ErrorKind::invalid_input, "the area cap of triangle " + std::to_string(i) +
+      return Error{ErrorKind::invalid_input, "the area cap of triangle " + std::to_string(i + coarse.first_id.value) +
                                                  " must be positive, not " + shortest(max_areas[i])};
   return Done{};
 }

@@ -7,6 +7,7 @@
 #include <memory>
 #include <utility>
 
+#include "../core/support/name_of_triangle.hpp"
 #include "../core/support/shortest.hpp"
 #include "arithmetic/predicates.hpp"
 #include "domain/find_problems.hpp"
@@ -24,6 +25,9 @@ using namespace engine;
 
 namespace {
 
+std::uint64_t number_of_point(const Pslg& pslg, Index point) { return number_in_file({}, pslg.first_id, point); }
+std::uint64_t number_of_point(const Mesh& mesh, Index point) { return number_in_file(mesh, point); }
+
 template <class Points>
 Status check_sizes(const Points& of, std::span<const double> sizes) {
   if (sizes.size() != of.points.size())
@@ -31,7 +35,8 @@ Status check_sizes(const Points& of, std::span<const double> sizes) {
                  std::to_string(sizes.size()) + " sizes for " + std::to_string(of.points.size()) + " points"};
   for (std::size_t v = 0; v < sizes.size(); ++v)
     if (!(sizes[v] > 0 && sizes[v] < INFINITY))
-      return Error{ErrorKind::invalid_input, "the size at point " + std::to_string(v + of.first_id.value) +
+      return Error{ErrorKind::invalid_input, "the size at point " +
+                                                 std::to_string(number_of_point(of, static_cast<Index>(v))) +
                                                  " must be positive, not " + shortest(sizes[v])};
   return Done{};
 }
@@ -43,8 +48,9 @@ Result<std::vector<std::array<Index, 3>>> triangles_of_background(const Mesh& me
   for (const Triangle& triangle : mesh.triangles) {
     std::array<Index, 3> v = triangle.v;
     const auto fault = [&](const char* what) {
-      return Error{ErrorKind::invalid_input, "triangle " + std::to_string(triangles.size() + mesh.first_id.value) +
-                                                 " of the mesh of the sizes " + what};
+      return Error{
+          ErrorKind::invalid_input,
+          name_of_triangle(mesh, static_cast<Index>(triangles.size()), " of the mesh of the sizes") + " " + what};
     };
     if (std::ranges::any_of(v, [&](Index i) { return i >= mesh.points.size(); }))
       return fault("has a corner that does not exist");

@@ -88,10 +88,10 @@ TEST_F(CheckCommand, bounds_that_are_missed_are_reported_in_words) {
   const auto words = [this](const std::string& option, const std::string& value) {
     return pardel({"check", "square.poly", "m.ele", option, value}).out;
   };
-  EXPECT_TRUE(holds(words("--min-angle", "50"), {"small angle: 2\n  triangle 0: angle 45° is below 50°, at (0, 0)\n"}));
-  EXPECT_TRUE(holds(words("--max-area", "0.3"), {"large area: 2\n  triangle 0: area 0.5 is above 0.3, at (0, 0)\n"}));
-  EXPECT_TRUE(holds(words("--max-edge", "1.3"), {"edge 2-0 of triangle 0: length 1.41 is above 1.3"}));
-  EXPECT_TRUE(holds(words("--max-circumradius", "0.7"), {"triangle 0: circumradius 0.707 is above 0.7"}));
+  EXPECT_TRUE(holds(words("--min-angle", "50"), {"small angle: 2\n  triangle 1: angle 45° is below 50°, at (0, 0)\n"}));
+  EXPECT_TRUE(holds(words("--max-area", "0.3"), {"large area: 2\n  triangle 1: area 0.5 is above 0.3, at (0, 0)\n"}));
+  EXPECT_TRUE(holds(words("--max-edge", "1.3"), {"edge 3-1 of triangle 1: length 1.41 is above 1.3"}));
+  EXPECT_TRUE(holds(words("--max-circumradius", "0.7"), {"triangle 1: circumradius 0.707 is above 0.7"}));
   // More digits are shown where three would not tell the value from the bound.
   EXPECT_TRUE(holds(words("--max-edge", "1.41421"), {"length 1.414214 is above 1.41421"}));
 }
@@ -204,7 +204,7 @@ TEST_F(CheckCommand, areas_beside_a_far_corner_are_not_lost) {
     write("m.ele", std::string("1 3 0\n1 ") + corners + "\n");
     const Ran ran = pardel({"check", "needle.poly", "m.ele", "--max-area", "1e19", "--min-angle", "0"});
     EXPECT_EQ(ran.exit_code, 1) << ran;
-    EXPECT_TRUE(holds(ran.out, {"triangle 0: area 1.5e+19 is above 1e+19", "largest area              1.5e+19"}))
+    EXPECT_TRUE(holds(ran.out, {"triangle 1: area 1.5e+19 is above 1e+19", "largest area              1.5e+19"}))
         << ran;
   }
 }
@@ -214,8 +214,8 @@ TEST_F(CheckCommand, a_wrong_region_is_named_by_its_attribute) {
   write("m.ele", "2 3 1\n1 1 2 3 7\n2 1 3 4 5\n");
   const Ran ran = pardel({"check", "regions.poly", "m.ele"});
   EXPECT_EQ(ran.exit_code, 1) << ran;
-  EXPECT_TRUE(holds(ran.out,
-                    {"triangle 1 has the region attribute 5, but its face has 7, that of region 0", "numbered from 0"}))
+  EXPECT_TRUE(holds(ran.out, {"triangle 2 has the region attribute 5, but its face has 7, that of region 1",
+                              "numbers are those of the files"}))
       << ran;
 }
 

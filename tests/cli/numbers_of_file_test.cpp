@@ -1,7 +1,11 @@
 // Messages about the file of a mesh name its nodes by the numbers that they have there, and its edges, which have none,
 // by the numbers of their ends.
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "program.hpp"
 
@@ -73,6 +77,102 @@ TEST_F(NumbersOfFile, are_those_of_its_segments_where_a_poly_has_them) {
   const Ran ran = pardel({"mesh", "m.node", "--refine", "-o", "r.vtu", "--sizes", "sizes.asc"});
   EXPECT_EQ(ran.exit_code, 3) << ran;
   EXPECT_TRUE(holds(ran.err, {"m.node: Point 5 at (1, 1) lies in the interior of segment 5."})) << ran;
+}
+
+/// A square, and two triangles of which the second one overlaps the first one.
+class OverlapInFiles : public Workshop {
+ protected:
+  OverlapInFiles() {
+    write("square.poly", "4 2 0 0\n1 0 0\n2 2 0\n3 2 2\n4 0 2\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n");
+    write("from0.poly", "4 2 0 0\n0 0 0\n1 2 0\n2 2 2\n3 0 2\n4 0\n0 0 1\n1 1 2\n2 2 3\n3 3 0\n0\n");
+    write("m.off", "OFF\n5 2 0\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n1.5 0.5 0\n3 0 1 2\n3 3 4 2\n");
+    write("tags.msh", head +
+                          "5\n10 0 0 0\n20 2 0 0\n30 2 2 0\n40 0 2 0\n50 1.5 0.5 0\n$EndNodes\n$Elements\n2\n"
+                          "71 2 2 0 1 10 20 30\n72 2 2 0 1 40 50 30\n$EndElements\n");
+    write("zero.node", "5 2 0 0\n0 0 0\n1 2 0\n2 2 2\n3 0 2\n4 1.5 0.5\n");
+    write("zero.ele", "2 3 0\n0 0 1 2\n1 3 4 2\n");
+    for (const char* name : {"m.vtu", "m.vtk", "m.msh", "m.2dm", "m.gr3", "m.14"})
+      EXPECT_EQ(pardel({"convert", "m.off", name, "-q"}).exit_code, 0) << name;
+    write("one.node", "5 2 0 0\n1 0 0\n2 2 0\n3 2 2\n4 0 2\n5 1.5 0.5\n");
+    write("one.ele", "2 3 0\n1 1 2 3\n2 4 5 3\n");
+  }
+};
+
+TEST_F(OverlapInFiles, is_named_by_the_numbers_of_the_file_in_every_format) {
+  struct Case {
+    const char* mesh;
+    const char* edges;
+    const char* triangle;
+  };
+  for (const auto& [mesh, edges, triangle] :
+       std::vector<Case>{{"tags.msh", "boundary edges 30-10 and 40-50 intersect", "edge 30-10 of triangle 1"},
+                         {"m.msh", "boundary edges 3-1 and 4-5 intersect", "edge 3-1 of triangle 1"},
+                         {"one.node", "boundary edges 3-1 and 4-5 intersect", "edge 3-1 of triangle 1"},
+                         {"one.ele", "boundary edges 3-1 and 4-5 intersect", "edge 3-1 of triangle 1"},
+                         {"m.2dm", "boundary edges 3-1 and 4-5 intersect", "edge 3-1 of triangle 1"},
+                         {"m.gr3", "boundary edges 3-1 and 4-5 intersect", "edge 3-1 of triangle 1"},
+                         {"m.14", "boundary edges 3-1 and 4-5 intersect", "edge 3-1 of triangle 1"},
+                         {"zero.node", "boundary edges 2-0 and 3-4 intersect", "edge 2-0 of triangle 0"},
+                         {"m.off", "boundary edges 2-0 and 3-4 intersect", "edge 2-0 of triangle 0"},
+                         {"m.vtk", "boundary edges 2-0 and 3-4 intersect", "edge 2-0 of triangle 0"},
+                         {"m.vtu", "boundary edges 2-0 and 3-4 intersect", "edge 2-0 of triangle 0"}})
+    for (const bool from_0 : {false, true}) {
+      const Ran ran =
+          pardel({"check", from_0 ? "from0.poly" : "square.poly", mesh, "--max-edge", "2.5", "--json", "c.json"});
+      EXPECT_EQ(ran.exit_code, 1) << ran;
+      EXPECT_TRUE(holds(ran.out, {edges, triangle, "numbers are those of the files",
+                                  "largest angle             90            triangle " +
+                                      std::string(1, triangle[std::string_view(triangle).size() - 1]) + " at"}))
+          << mesh << ran;
+      EXPECT_TRUE(holds(ran.out, {from_0 ? "segment 3 from point 3 to 0 is" : "segment 4 from point 4 to 1 is"}))
+          << ran;
+      const nlohmann::json violations = nlohmann::json::parse(read("c.json"))["violations"];
+      const bool found = std::ranges::any_of(violations, [](const nlohmann::json& violation) {
+        return violation["witness"].get<std::string>().starts_with("boundary edges 2-0 and 3-4 intersect");
+      });
+      EXPECT_TRUE(found) << mesh << ": the report counts from 0";
+    }
+}
+
+TEST_F(OverlapInFiles, other_commands_name_the_numbers_of_the_file_too) {
+  for (const auto& [mesh, point] : {std::pair{"tags.msh", "edge 30-10"},
+                                    {"m.msh", "edge 3-1"},
+                                    {"one.ele", "edge 3-1"},
+                                    {"m.2dm", "edge 3-1"},
+                                    {"m.gr3", "edge 3-1"},
+                                    {"zero.ele", "edge 2-0"},
+                                    {"m.off", "edge 2-0"},
+                                    {"m.vtk", "edge 2-0"},
+                                    {"m.vtu", "edge 2-0"}}) {
+    std::string edge = point;
+    edge[0] = 'E';
+    EXPECT_TRUE(holds(pardel({"mesh", mesh, "--refine", "-o", "r.vtu"}).err, {mesh, edge + " is a side of triangle "}))
+        << pardel({"mesh", mesh, "--refine", "-o", "r.vtu"});
+  }
+}
+
+TEST_F(NumbersOfFile, name_points_and_triangles_of_a_field_of_sizes) {
+  write("square.poly", square_poly);
+  const std::string nodes = "10 0 0 0\n20 1 0 0\n30 1 1 0\n40 0 1 0\n", ends = "$EndNodes\n$Elements\n2\n",
+                    data = "$NodeData\n1\n\"size\"\n1\n0\n3\n0\n1\n4\n10 1\n20 1\n30 ";
+  write("negative.msh", head + "4\n" + nodes + ends + "1 2 2 0 1 10 20 30\n2 2 2 0 1 10 30 40\n$EndElements\n" + data +
+                            "-1\n40 1\n$EndNodeData\n");
+  write("flat.msh", head + "4\n" + nodes + ends + "1 2 2 0 1 10 20 30\n2 2 2 0 1 10 30 30\n$EndElements\n" + data +
+                        "1\n40 1\n$EndNodeData\n");
+  EXPECT_TRUE(holds(pardel({"mesh", "square.poly", "-o", "m.vtu", "--sizes", "negative.msh"}).err,
+                    {"negative.msh: the size at point 30 must be positive, not -1"}));
+  EXPECT_TRUE(holds(pardel({"mesh", "square.poly", "-o", "m.vtu", "--sizes", "flat.msh"}).err,
+                    {"flat.msh: triangle 2 of the mesh of the sizes (vertices 10, 30, 30) is flat"}));
+}
+
+TEST_F(NumbersOfFile, name_a_point_that_a_raster_does_not_cover) {
+  write("tags.msh", head +
+                        "4\n10 0 0 0\n20 2 0 0\n30 2 2 0\n40 0 2 0\n$EndNodes\n$Elements\n2\n1 2 2 0 1 10 20 30\n2 2 2 "
+                        "0 1 10 30 40\n$EndElements\n");
+  write("small.asc", "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 0.5\n1 1\n1 1\n");
+  const Ran ran = pardel({"mesh", "tags.msh", "--refine", "-o", "r.vtu", "--sizes", "small.asc"});
+  EXPECT_EQ(ran.exit_code, 3) << ran;
+  EXPECT_TRUE(holds(ran.err, {"does not cover point 20 at (2, 0)"})) << ran;
 }
 
 }  // namespace
