@@ -1,8 +1,14 @@
 // The program pardel-mpi from outside: files, messages and exit codes.
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "../../core/digest.hpp"
 #include "../../core/formats.hpp"
@@ -39,6 +45,37 @@ TEST_F(PardelMpi, writes_pieces_that_are_together_a_valid_mesh) {
   EXPECT_EQ(to_string(digest(*whole)), to_string(digest(expected->mesh)));
   EXPECT_TRUE(holds(ran.out, {"digest  " + to_string(digest(*whole)),
                               "ranks   3, with 1 threads each; each has read the whole input"}));
+}
+
+/// The numbers in the part of the output that matches.
+std::vector<double> numbers_in(const std::string& out, const std::string& pattern) {
+  std::smatch found;
+  std::vector<double> numbers;
+  if (!std::regex_search(out, found, std::regex(pattern))) return numbers;
+  for (std::size_t i = 1; i < found.size(); ++i) numbers.push_back(std::stod(found[i]));
+  return numbers;
+}
+
+TEST_F(PardelMpi, prints_what_the_mesh_and_its_pieces_have) {
+  const Ran ran =
+      on_ranks(3, {"mesh", "pipe.poly", "-o", "out.pvtu", "--max-area", "1e-4", "--threads", "1", "--json", "r.json"});
+  ASSERT_EQ(ran.exit_code, 0) << ran;
+  const auto size_of = [&](const std::string& file) {
+    const Result<Mesh> mesh = read_mesh(folder_ / "work" / file);
+    return std::pair<double, double>(mesh->triangles.size(), mesh->constrained_edges.size());
+  };
+  const double sizes[] = {size_of("out_0000.vtu").first, size_of("out_0001.vtu").first, size_of("out_0002.vtu").first};
+  const auto [least, most] = std::minmax_element(std::begin(sizes), std::end(sizes));
+  ASSERT_LT(*least, *most);
+  EXPECT_EQ(numbers_in(ran.out, "\npieces  (\\d+) to (\\d+) triangles"), (std::vector<double>{*least, *most})) << ran;
+  const auto [triangles, edges] = size_of("out.pvtu");
+  EXPECT_EQ(numbers_in(ran.out, "\nedges   (\\d+) constrained\n"), std::vector<double>{edges}) << ran;
+  double bytes = 0;
+  const auto report = nlohmann::json::parse(read("r.json"));
+  for (const auto& of_rank : report["ranks"]["peak_rss_bytes"]) bytes += of_rank.get<double>();
+  const std::vector<double> printed = numbers_in(ran.out, "\nmemory  (\\d+) bytes per triangle");
+  ASSERT_EQ(printed.size(), 1U) << ran;
+  EXPECT_NEAR(printed[0] / (bytes / triangles), 1, 0.2) << "memory grows a little between the two lines";
 }
 
 /// The certificate of one process, as several ranks write it.
