@@ -17,9 +17,10 @@ Error invalid(const std::string& message) { return {ErrorKind::invalid_input, me
 
 class Join {
  public:
-  /// `names`: what messages call the numbers; empty if it is the numbers themselves. A rank without triangles has an
-  /// empty piece, which says nothing about the kinds of data.
-  explicit Join(std::span<const NumberedMesh> pieces, std::span<const std::uint64_t> names = {}) : names_(names) {
+  /// `names`: what messages call the numbers; empty if it is the numbers themselves, counted from `first_id`. A rank
+  /// without triangles has an empty piece, which says nothing about the kinds of data.
+  explicit Join(std::span<const NumberedMesh> pieces, FirstId first_id, std::span<const std::uint64_t> names = {})
+      : first_id_(first_id), names_(names) {
     for (const NumberedMesh& piece : pieces)
       if (!piece.mesh.points.empty()) pieces_.push_back(&piece);
   }
@@ -34,7 +35,8 @@ class Join {
     }
     const auto missing = std::ranges::find(is_known_, 0);
     if (missing != is_known_.end())
-      return invalid("no piece has the point with the number " + std::to_string(missing - is_known_.begin()));
+      return invalid("no piece has the point with the number " +
+                     name(static_cast<std::uint64_t>(missing - is_known_.begin())));
     rebuild_neighbours(mesh_.triangles, mesh_.points.size());
     mesh_.fields = join_fields(pieces_, mesh_.points.size());
     mesh_.names = join_names(pieces_);
@@ -45,7 +47,7 @@ class Join {
 
  private:
   [[nodiscard]] std::string name(std::uint64_t number) const {
-    return std::to_string(names_.empty() ? number : names_[number]);
+    return std::to_string(names_.empty() ? number + static_cast<unsigned>(first_id_.value) : names_[number]);
   }
 
   /// The largest number determines the number of points. It is less than the number of points of all pieces, because no
@@ -58,8 +60,8 @@ class Join {
       triangles += piece->mesh.triangles.size();
     }
     if (largest >= listed)
-      return invalid("a point has the number " + std::to_string(largest) + ", but the pieces have only " +
-                     std::to_string(listed) + " points");
+      return invalid("a point has the number " + (names_.empty() ? name(largest) : std::to_string(largest)) +
+                     ", but the pieces have only " + std::to_string(listed) + " points");
     const std::uint64_t points = largest + 1;
     if (points >= no_index || !can_be_a_mesh(triangles))
       return Error{ErrorKind::resources, "the pieces have " + std::to_string(triangles) + " triangles and " +
@@ -143,6 +145,7 @@ class Join {
   }
 
   std::vector<const NumberedMesh*> pieces_;
+  FirstId first_id_;
   std::span<const std::uint64_t> names_;
   Array<char> is_known_;  ///< per point
   bool have_regions_ = false;
@@ -158,14 +161,16 @@ Result<NumberedMesh> joined(std::vector<NumberedMesh> pieces) {
   for (NumberedMesh& piece : pieces)
     for (std::uint64_t& number : piece.number)
       number = static_cast<std::uint64_t>(std::ranges::lower_bound(numbers, number) - numbers.begin());
-  Result<Mesh> mesh = Join(pieces, numbers).join();
+  Result<Mesh> mesh = Join(pieces, {}, numbers).join();
   if (!mesh) return mesh.error();
   return NumberedMesh{std::move(*mesh), Array<std::uint64_t>(numbers)};
 }
 
 }  // namespace
 
-Result<Mesh> join_pieces(std::span<const NumberedMesh> pieces) { return Join(pieces).join(); }
+Result<Mesh> join_pieces(std::span<const NumberedMesh> pieces, FirstId first_id) {
+  return Join(pieces, first_id).join();
+}
 
 Result<NumberedMesh> join_some_pieces(std::vector<NumberedMesh> pieces) {
   if (pieces.size() == 1) return std::move(pieces.front());

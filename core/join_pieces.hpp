@@ -24,7 +24,8 @@ struct NumberedMesh {
 /// Errors: invalid_input if a number is missing, if different points have one number, or one point has different
 /// markers, origins or attributes, or if some pieces have regions or attributes of points and others have none;
 /// resources if the mesh has more points or triangles than an Index can number. Time O(n) for n triangles.
-[[nodiscard]] Result<Mesh> join_pieces(std::span<const NumberedMesh> pieces);
+/// `first_id`: what messages call the number 0.
+[[nodiscard]] Result<Mesh> join_pieces(std::span<const NumberedMesh> pieces, FirstId first_id = {});
 
 /// The same for some of the pieces of a mesh: makes one piece of them. Numbers that belong to other pieces are missing.
 [[nodiscard]] Result<NumberedMesh> join_some_pieces(std::vector<NumberedMesh> pieces);

@@ -29,9 +29,9 @@ void unite_regions(std::vector<NumberedMesh>& pieces) {
 
 }  // namespace
 
-Result<Mesh> join_read_pieces(std::vector<NumberedMesh> pieces, const std::filesystem::path& file) {
+Result<Mesh> join_read_pieces(std::vector<NumberedMesh> pieces, const std::filesystem::path& file, FirstId first_id) {
   unite_regions(pieces);
-  Result<Mesh> whole = join_pieces(pieces);
+  Result<Mesh> whole = join_pieces(pieces, first_id);
   if (!whole) return Error{whole.error().kind, file.string() + ": " + whole.error().message};
   return whole;
 }

@@ -40,7 +40,8 @@ struct MshPiece : NumberedMesh {
 /// the attribute of triangle t, or NaN if it has no region.
 void set_regions(Mesh& mesh, std::span<const double> attributes);
 
-/// Joins pieces of which each has its own list of regions. `file`: for messages.
-[[nodiscard]] Result<Mesh> join_read_pieces(std::vector<NumberedMesh> pieces, const std::filesystem::path& file);
+/// Joins pieces of which each has its own list of regions. `file`, and the number 0 in it: for messages.
+[[nodiscard]] Result<Mesh> join_read_pieces(std::vector<NumberedMesh> pieces, const std::filesystem::path& file,
+                                            FirstId first_id = {});
 
 }  // namespace pardel::files

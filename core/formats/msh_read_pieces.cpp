@@ -25,7 +25,7 @@ Result<Mesh> read_msh_pieces(const std::filesystem::path& file) {
                                                  std::to_string(partitions) + " as " + msh_of_piece(file, 1).string()};
     pieces.push_back(std::move(*piece));
   }
-  Result<Mesh> whole = join_read_pieces(std::move(pieces), file);
+  Result<Mesh> whole = join_read_pieces(std::move(pieces), file, {1});
   if (whole) whole->first_id = {1};
   return whole;
 }

@@ -73,6 +73,10 @@ TEST(JoinPieces, refuses_different_points_with_one_number) {
   std::vector<NumberedMesh> pieces = halves();
   pieces[1].mesh.points[1] = {1, 2};
   EXPECT_EQ(error_of(pieces), "different points have the number 2, at (1, 1) and (1, 2)");
+  EXPECT_EQ(join_pieces(pieces, {1}).error().message, "different points have the number 3, at (1, 1) and (1, 2)");
+  pieces[1].number[2] = 4;
+  pieces[1].mesh.points[1] = pieces[0].mesh.points[2];
+  EXPECT_EQ(join_pieces(pieces, {1}).error().message, "no piece has the point with the number 4");
 }
 
 TEST(JoinPieces, refuses_different_data_of_a_point) {

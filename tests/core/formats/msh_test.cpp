@@ -361,6 +361,18 @@ TEST(Msh, in_pieces_of_gmsh_is_read_by_the_name_without_the_numbers_of_partition
   EXPECT_EQ(first->triangles.size(), 14u);
 }
 
+/// Node 14 is in both pieces.
+TEST(Msh, in_pieces_that_do_not_fit_is_refused_with_the_tag_of_the_node) {
+  const TemporaryFolder folder;
+  const std::string of_data = PARDEL_FORMATS_DATA "/partitioned_by_gmsh_";
+  std::filesystem::copy_file(of_data + "1.msh", folder / "m_1.msh");
+  std::ifstream in(of_data + "2.msh");
+  const std::string second{std::istreambuf_iterator<char>(in), {}};
+  folder.write("m_2.msh", replaced(second, "0.2886751345942123 0.5000000000011557 0", "0.25 0.5 0"));
+  EXPECT_EQ(message_of(read_mesh(folder / "m.msh"), folder),
+            "m.msh: different points have the number 14, at (0.25, 0.5) and (0.2886751345942123, 0.5000000000011557)");
+}
+
 TEST(Msh, is_opened_by_gmsh_without_a_warning_and_comes_back_the_same) {
   if (std::string(PARDEL_GMSH).empty()) GTEST_SKIP() << "gmsh is not installed";
   const TemporaryFolder folder;
