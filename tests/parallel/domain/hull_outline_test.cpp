@@ -8,6 +8,7 @@
 
 #include "../../../parallel/mesher.hpp"
 #include "../../../parallel/repair.hpp"
+#include "../../../properties/domains/generators/random.hpp"
 #include "../shapes.hpp"
 
 namespace pardel::engine {
@@ -58,10 +59,16 @@ TEST(HullOutline, of_a_turned_grid_gives_a_good_mesh) {
   expect_good_mesh(turned_grid(10, {1000, -2000}), automatic);
 }
 
+/// From 2 to 100. A number is the rarer, the larger it is.
+int some_number_of_cells(generators::Random& random) {
+  return static_cast<int>(std::lround(2 * std::pow(50, random.uniform())));
+}
+
 TEST(HullOutline, of_grids_at_ten_angles_and_three_offsets_gives_meshes_that_keep_all_bounds) {
-  for (const int n : {2, 7, 20})
-    for (const double degrees : {1.0, 5.0, 10.0, 17.0, 23.0, 30.0, 33.0, 41.0, 45.0, 60.0})
-      for (const double offset : {0.0, 5e5, 1e7}) {
+  generators::Random random(1);
+  for (const double degrees : {1.0, 5.0, 10.0, 17.0, 23.0, 30.0, 33.0, 41.0, 45.0, 60.0})
+    for (const double offset : {0.0, 5e5, 1e7})
+      for (const int n : {2, 7, 20, some_number_of_cells(random), some_number_of_cells(random)}) {
         const Pslg pslg = turned_grid(n, {offset, offset}, degrees);
         SCOPED_TRACE(std::to_string(n) + " cells at " + std::to_string(degrees) + ", " + std::to_string(offset));
         expect_good_mesh(pslg, automatic);
