@@ -201,6 +201,7 @@ std::string square_with(const std::string& of_points, const std::string& inner, 
 TEST_F(BesideMesh, mesh_names_what_a_format_cannot_store_as_convert_does) {
   write("inner.poly", square_with("0", "5 5 6\n", ""));
   write("regions.poly", square_with("0", "", "1\n1 0.5 0.25 2.5 0\n"));
+  write("region_0.poly", square_with("0", "", "1\n1 0.5 0.25 0 0\n"));
   write("own_markers.poly", square_with("9", "", ""));
   const auto notes = [&](const std::string& from, const std::string& to) {
     const Ran ran = pardel({"mesh", from, "-o", to, "-q"});
@@ -210,8 +211,9 @@ TEST_F(BesideMesh, mesh_names_what_a_format_cannot_store_as_convert_does) {
   EXPECT_EQ(notes("inner.poly", "y.gr3"),
             "pardel: y.gr3: note: .gr3 cannot store: markers of edges and edges inside the domain\n");
   EXPECT_EQ(notes("regions.poly", "y.off"), "pardel: y.off: note: .off cannot store: regions\n");
-  EXPECT_EQ(notes("regions.poly", "y.2dm"),
-            "pardel: y.2dm: note: .2dm cannot store: attributes of regions that are not whole numbers from 1 on\n");
+  for (const char* name : {"regions.poly", "region_0.poly"})
+    EXPECT_EQ(notes(name, "y.2dm"),
+              "pardel: y.2dm: note: .2dm cannot store: attributes of regions that are not whole numbers from 1 on\n");
   EXPECT_EQ(notes("own_markers.poly", "y.msh"), "pardel: y.msh: note: .msh cannot store: markers of points\n");
   ASSERT_EQ(notes("own_markers.poly", "own.ele"), "");
   EXPECT_EQ(pardel({"mesh", "--refine", "own.ele", "-o", "y.msh", "-q"}).err,
@@ -235,6 +237,16 @@ TEST_F(BesideMesh, the_first_field_of_single_numbers_has_the_sizes) {
     ASSERT_EQ(ran.exit_code, 0) << ran;
     EXPECT_GT(json::parse(ran.out)["mesh"]["triangles"], 30) << sizes;
   }
+}
+
+TEST_F(BesideMesh, the_field_that_is_called_size_has_the_sizes_wherever_it_is) {
+  std::string text = tank_msh;
+  const std::string values = "1 0.2\n2 0.2\n3 0.2\n4 0.2\n";
+  text.replace(text.find(values), values.size(), "1 9\n2 9\n3 9\n4 9\n");
+  write("two.msh", text + "$NodeData\n1\n\"size\"\n1\n0\n3\n0\n1\n4\n" + values + "$EndNodeData\n");
+  const Ran ran = pardel({"mesh", "square.poly", "-o", "m.off", "--sizes", "two.msh", "--json", "-"});
+  ASSERT_EQ(ran.exit_code, 0) << ran;
+  EXPECT_GT(json::parse(ran.out)["mesh"]["triangles"], 30);
 }
 
 TEST_F(BesideMesh, a_point_without_a_size_is_named_as_in_its_file) {

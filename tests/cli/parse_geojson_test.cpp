@@ -33,6 +33,22 @@ TEST(Lengths, of_points_lines_and_borders_of_polygons_are_sources) {
   EXPECT_EQ(drawn->polygons[0].length, 7);
 }
 
+TEST(Properties, of_a_feature_are_those_of_all_geometries_of_its_collection) {
+  const Result<DrawnDomain> drawn = parse_geojson(
+      R"({"type": "Feature", "properties": {"marker": 4, "attribute": 2, "length": 0.5},
+          "geometry": {"type": "GeometryCollection", "geometries": [
+            {"type": "LineString", "coordinates": [[5, 5], [6, 6]]},
+            {"type": "GeometryCollection", "geometries": [
+              {"type": "Polygon", "coordinates": [[[0, 0], [9, 0], [9, 9], [0, 0]]]}]}]}})",
+      "a.geojson", LengthProperty::read);
+  ASSERT_TRUE(drawn) << drawn.error().message;
+  ASSERT_EQ(drawn->pslg.segments.size(), 4U);
+  for (const Segment& segment : drawn->pslg.segments) EXPECT_EQ(segment.marker, 4);
+  ASSERT_EQ(drawn->polygons.size(), 1U);
+  EXPECT_EQ(drawn->polygons[0].attribute, 2);
+  EXPECT_EQ(drawn->sources.size(), 4U);
+}
+
 TEST(Lengths, that_are_null_or_missing_are_none) {
   const Result<DrawnDomain> drawn = with_lengths(feature(R"("length": null)", "Point", "[3, 4]") + "," +
                                                  feature("", "Polygon", "[[[0, 0], [9, 0], [9, 9], [0, 0]]]"));

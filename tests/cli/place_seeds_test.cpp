@@ -40,6 +40,17 @@ TEST(Seeds, of_the_last_of_several_polygons_count) {
   }
 }
 
+TEST(Seeds, of_a_polygon_with_a_largest_area_and_no_attribute_make_a_region) {
+  DrawnDomain domain;
+  domain.pslg.points = {{0, 0}, {4, 0}, {0, 4}};
+  domain.pslg.segments = {{0, 1}, {1, 2}, {2, 0}};
+  domain.polygons = {{{{{0, 0}, {4, 0}, {0, 4}}}, false, {}, 0.5}};
+  const Pslg pslg = place_seeds(std::move(domain));
+  ASSERT_EQ(pslg.regions.size(), 1U);
+  EXPECT_EQ(pslg.regions[0].attribute, 0);
+  EXPECT_EQ(pslg.regions[0].max_area, 0.5);
+}
+
 TEST(Seeds, of_polygons_along_one_line_end_without_a_mesh) {
   DrawnDomain domain;
   domain.pslg.points = {{0, 0}, {1, 0}, {2, 0}};

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <cstring>
 #include <string>
 #include <vector>
 
@@ -47,6 +49,30 @@ TEST(SecondOrder, msh_has_triangles_of_type_9_and_lines_of_type_8) {
   EXPECT_NE(text.find("\n1 5 8 1\n"), std::string::npos) << text;  // marker 5: one line
   EXPECT_NE(text.find("\n2 7 9 2\n"), std::string::npos) << text;  // region 7: two triangles
   EXPECT_NE(text.find("\n2 2 3 "), std::string::npos) << "the line with the tag 2 from node 2 to 3";
+}
+
+/// The markers of all nodes of a .vtu: vertices, then middles.
+std::vector<std::int32_t> markers_of_nodes(const std::string& vtu, std::size_t nodes) {
+  const std::string offset = "offset=\"", data = "<AppendedData encoding=\"raw\">\n_";
+  const std::size_t array = vtu.find("Name=\"marker\"", vtu.find("<PointData>"));
+  const std::size_t begin = std::stoul(vtu.substr(vtu.find(offset, array) + offset.size()));
+  std::vector<std::int32_t> markers(nodes);
+  // The number of bytes precedes the values.
+  std::memcpy(markers.data(), &vtu[vtu.find(data) + data.size() + begin + sizeof(std::uint64_t)],
+              nodes * sizeof(std::int32_t));
+  return markers;
+}
+
+TEST(SecondOrder, middles_in_a_vtu_have_the_markers_of_their_edges) {
+  const TemporaryFolder folder;
+  const Mesh mesh = sample_mesh();
+  ASSERT_TRUE(write_second_order(mesh, folder / "m.vtu").ok());
+  const std::size_t vertices = mesh.points.size(), middles = files::middles_of(mesh).edges.size();
+  std::vector<std::int32_t> markers = markers_of_nodes(folder.read("m.vtu"), vertices + middles);
+  EXPECT_TRUE(std::equal(mesh.point_markers.begin(), mesh.point_markers.end(), markers.begin()));
+  markers.erase(markers.begin(), markers.begin() + static_cast<std::ptrdiff_t>(vertices));
+  std::ranges::sort(markers);
+  EXPECT_EQ(markers, (std::vector<std::int32_t>{-4, 0, 0, 0, 0, 1, 1, 5}));
 }
 
 TEST(SecondOrder, files_are_read_as_the_mesh_of_first_order) {

@@ -196,6 +196,18 @@ TEST(Vtk, errors_in_fields_name_the_line) {
             "w.vtk:9: expected CELL_TYPES before POINT_DATA");
 }
 
+TEST(Vtk, attributes_of_points_are_not_replaced_by_sizes) {
+  const TemporaryFolder folder;
+  const std::string size = "SCALARS size double\nLOOKUP_TABLE mine\n1 2 3 4\n",
+                    attributes = "SCALARS attributes double\nLOOKUP_TABLE mine\n5 6 7 8\n";
+  for (const std::string& both : {size + attributes, attributes + size}) {
+    const auto read = read_mesh(folder.write("m.vtk", replaced(of_vtk_9, size, both)));
+    ASSERT_TRUE(read.ok()) << read.error().message;
+    ASSERT_EQ(read->attributes_per_point, 1U);
+    EXPECT_EQ(read->point_attributes[3], 8) << both;
+  }
+}
+
 TEST(Vtk, errors_name_the_line_and_the_fault) {
   const TemporaryFolder folder;
   ASSERT_TRUE(write_vtk(sample_mesh(), folder / "m.vtk").ok());
