@@ -9,6 +9,7 @@
 #include "../../domains/dealt_domain.hpp"
 #include "../framework/mesh_of_ranks.hpp"
 #include "../framework/shares.hpp"
+#include "repeated_points.hpp"
 
 namespace pardel::properties {
 namespace {
@@ -28,7 +29,7 @@ PARDEL_PROPERTY(Decorated, meshes_are_certified_and_every_triangle_that_misses_a
   require_certified(drawn, result);
   require_kept_segments(drawn, result);
   classify(drawn.wishes.on.count() >= 2, "two bounds or options at once", 60);
-  classify(drawn.problem.pslg.attributes_per_point >= 2, "several attributes", 30);
+  classify(drawn.problem.pslg.attributes_per_point >= 2, "several attributes", 27);
   classify(!drawn.problem.pslg.point_markers.empty(), "points with markers", 40);
 }
 
@@ -82,49 +83,19 @@ PARDEL_PROPERTY(Decorated, meshes_have_the_triangles_of_the_domain_without_data,
   RC_ASSERT(bare(value_of(mesh(pslg, drawn.problem.goal, drawn.options)).mesh) == bare(with_data));
 }
 
-/// Inserts a point again, somewhere behind itself, with a marker and attributes of its own. Returns its index.
-Index add_copy(Pslg& pslg, Index of) {
-  const Index at = *rc::gen::inRange<Index>(of + 1, static_cast<Index>(pslg.points.size()) + 1);
-  const std::size_t k = pslg.attributes_per_point;
-  pslg.points.insert(pslg.points.begin() + at, pslg.points[of]);
-  if (!pslg.point_markers.empty())
-    pslg.point_markers.insert(pslg.point_markers.begin() + at, *rc::gen::inRange(-9, 10));
-  pslg.point_attributes.insert(pslg.point_attributes.begin() + static_cast<std::ptrdiff_t>(at * k), k, 0.125);
-  for (Segment& s : pslg.segments)
-    for (Index* end : {&s.a, &s.b})
-      if (*end >= at) ++*end;
-  return at;
-}
-
-Index some_point(const Pslg& pslg) { return *rc::gen::inRange<Index>(0, static_cast<Index>(pslg.points.size())); }
-
 PARDEL_PROPERTY(Decorated, domains_are_repaired_to_themselves_if_points_and_segments_are_repeated,
                 {.statement = "Repeat points with other markers and attributes, let segments end at the copies, and "
                               "repeat segments with other markers. Repair gives the domain without the copies: the "
                               "data of the first of equal points stay, and the first marker of equal segments that is "
                               "not 0.",
                  .source = "parallel/repair.hpp",
-                 .families = "lattice domains of every family, with decorations; up to six copies"}) {
+                 .families = "lattice domains of every family, with decorations; up to five copies"}) {
   const Pslg pslg = to_pslg(some_case(exhibit).domain);
-  Pslg with_copies = pslg, expected = pslg;
-  for (int copies = *rc::gen::inRange(1, 6); copies > 0; --copies) {
-    const Index original = some_point(with_copies), copy = add_copy(with_copies, original);
-    for (Segment& s : with_copies.segments)
-      for (Index* end : {&s.a, &s.b})
-        if (*end == original && *rc::gen::arbitrary<bool>()) *end = copy;
-    if (pslg.segments.empty()) continue;
-    const auto which = *rc::gen::inRange<std::size_t>(0, pslg.segments.size());
-    Segment& once = expected.segments[which];
-    Segment again{with_copies.segments[which].a, with_copies.segments[which].b, *rc::gen::inRange(-2, 3)};
-    if (*rc::gen::arbitrary<bool>()) std::swap(again.a, again.b);
-    with_copies.segments.push_back(again);
-    if (once.marker == 0) once.marker = again.marker;
-  }
-  with_copies.has_segment_markers = expected.has_segment_markers = true;
-  exhibit.show(with_copies);
-  const Result<Repaired> repaired = repair(with_copies, {.snap = 0});
+  const Repetitions drawn = some_repetitions(pslg);
+  exhibit.show(drawn.with_copies);
+  const Result<Repaired> repaired = repair(drawn.with_copies, {.snap = 0});
   if (!repaired) RC_FAIL(repaired.error().message);
-  RC_ASSERT(repaired->domain.pslg() == expected);
+  RC_ASSERT(repaired->domain.pslg() == drawn.repaired);
 }
 
 /// Makes one of many mistakes. Most of them make the domain invalid.

@@ -160,7 +160,7 @@ PARDEL_PROPERTY(Hairlines, outside_the_domain_are_not_crossed,
   const Problem problem{some_domain(exhibit), some_goal()};
   Options options = options_for_small_features();
   const Meshed result = meshed(problem, exhibit, options);
-  require_certified({problem, options, {}}, result);
+  require_certified({problem, options, {}, {}}, result, true);
   classify(result.report.goal_met(), "all bounds are met", 80);
   options.threads = 2;
   RC_ASSERT(value_of(mesh(problem.pslg, problem.goal, options)).mesh == result.mesh);

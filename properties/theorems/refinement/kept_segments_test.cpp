@@ -36,7 +36,7 @@ PARDEL_PROPERTY(KeptSegments, are_not_split_and_what_misses_a_bound_for_this_is_
   options.kept_markers = {kept_marker};
   options.no_boundary_splits = *rc::gen::arbitrary<bool>();
   const Meshed result = meshed(problem, exhibit, options);
-  const DecoratedProblem drawn{problem, options, {}};
+  const DecoratedProblem drawn{problem, options, {}, {}};
   require_kept_segments(drawn, result);
   require_certified(drawn, result);
   const bool is_missed = result.report.count(ExemptReason::kept_segment) > 0;
