@@ -178,8 +178,13 @@ void DomainSegments::find_narrow_wedges(const Array<Point>& points, SparseAsk& a
 bool DomainSegments::stays_clear(const Array<Point>& points, Index segment, const EndPoints& edge, Point p) const {
   const std::span<const Clearance> all = clearances(segment);
   if (all.empty()) return true;
-  const Constraint line = line_at(points, segment, p);
-  return keeps_clear(all, {points[line.a], points[line.b]}, edge, p);
+  const Constraint piece = line_at(points, segment, p);
+  const EndPoints whole{points[segments_[segment].a], points[segments_[segment].b]},
+      line{points[piece.a], points[piece.b]};
+  // A wedge is between whole segments. The ends of pieces already lie off them, and what lies off the pieces adds up.
+  return std::ranges::all_of(all, [&](const Clearance& c) {
+    return keeps_clear({&c, 1}, c.gap > 0 ? line : whole, edge, p);
+  });
 }
 
 void DomainSegments::add(const DomainSegment& segment, std::span<const PlaceBesideEnd> places_beside_ends,

@@ -148,6 +148,20 @@ TEST(BoundsRegression, slivers_along_a_side_in_a_huge_outline_do_not_keep_it_fro
   }
 }
 
+/// Vertices of a mesh already lie off the sides of the notch. Those of its refinement lie off the pieces between them,
+/// so that the sides crossed.
+TEST(BoundsRegression, sides_of_a_notch_do_not_cross_when_a_mesh_with_vertices_on_them_is_refined) {
+  const Pslg pslg = domain_for_bounds("notch_as_narrow_as_rounding");
+  for (const double first : {0.4, 0.5})
+    for (const double second : {0.25, 0.2, 0.1}) {
+      const Result<Meshed> coarse = mesh(pslg, {.min_angle_deg = 0, .max_edge = first});
+      ASSERT_TRUE(coarse) << coarse.error().message;
+      const Result<Meshed> refined = refine(coarse->mesh, {}, {.min_angle_deg = 0, .max_edge = second});
+      ASSERT_TRUE(refined) << refined.error().message;
+      EXPECT_TRUE(check(pslg, refined->mesh, {.min_angle_deg = 0}).valid) << first << ", then " << second;
+    }
+}
+
 /// Of a thin triangle, an angle beside the shortest side was taken for an obtuse one, and needed no cause.
 TEST(BoundsRegression, the_report_and_the_checker_justify_the_same_angles_beside_a_side_of_the_hull) {
   const Pslg pslg = domain_for_bounds("hull_side_beside_a_nearly_straight_chain");

@@ -178,12 +178,17 @@ PARDEL_PROPERTY(Hairlines, outside_the_domain_are_not_crossed,
 }
 
 PARDEL_PROPERTY(Hairlines, outside_a_mesh_are_not_crossed_when_it_is_refined,
-                {.statement = "Refine the triangulation of a domain with gaps as narrow as rounding. Boundary edges "
-                              "never cross: the refined mesh conforms to the domain and is constrained Delaunay.",
+                {.statement = "Refine the triangulation of a domain with gaps as narrow as rounding, or a mesh with "
+                              "vertices inside its segments. Boundary edges never cross: the refined mesh conforms to "
+                              "the domain and is constrained Delaunay.",
                  .source = "properties/THEORY.md, refinement: hairlines",
                  .families = families_with_hairlines}) {
   const Pslg pslg = some_domain(exhibit);
-  const Mesh coarse = value_of(triangulate(pslg)).mesh;
+  // Vertices inside segments, too, may lie beside a gap.
+  const bool is_divided = *rc::gen::arbitrary<bool>();
+  const Goal first{.min_angle_deg = 0, .max_edge = 0.4};
+  const Mesh coarse = value_of(is_divided ? mesh(pslg, first, options_for_small_features()) : triangulate(pslg)).mesh;
+  require_valid(check(pslg, coarse, {.min_angle_deg = 0}));
   const Meshed result =
       value_of(refine(coarse, {}, Goal{.max_edge = *rc::gen::element(0.2, 0.1)}, options_for_small_features()));
   exhibit.show(pslg, result.mesh);
