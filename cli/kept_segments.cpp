@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "../core/support/shortest.hpp"
+#include "faces.hpp"
 
 namespace pardel::cli {
 namespace {
@@ -12,6 +13,17 @@ namespace {
 /// On the boundary, unmarked edges have the marker 1.
 bool has(const Segment& segment, int marker) {
   return segment.marker == marker || (segment.marker == 0 && marker == 1);
+}
+
+bool has_boundary_without_segment(const CoarseMesh& coarse) {
+  EdgeSet segments{coarse.domain.pslg.segments};
+  segments.finish();
+  return std::ranges::any_of(coarse.mesh.triangles, [&](const Triangle& triangle) {
+    for (int i = 0; i < 3; ++i)
+      if (const auto [from, to] = side(triangle, i); triangle.n[i] == no_index && !segments.contains(from, to))
+        return true;
+    return false;
+  });
 }
 
 }  // namespace
@@ -39,6 +51,14 @@ Status check_kept_segments(const MaybeRepaired& repaired, std::span<const int> m
                                    "smaller --snap may leave it in place",
                                    end + static_cast<Index>(read.first_id.value), shortest(read.points[end]), marker)};
   }
+  return Done{};
+}
+
+Status check_kept_segments(const CoarseMesh& coarse, std::span<const int> markers) {
+  for (const int marker : markers)
+    if (!has_segment_with(coarse.domain.pslg.segments, marker) &&
+        !(marker == 1 && has_boundary_without_segment(coarse)))
+      return no_kept_segment(marker);
   return Done{};
 }
 

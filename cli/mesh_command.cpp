@@ -63,6 +63,8 @@ Result<MeshInput, Refusal> read(const MeshArguments& arguments, ProgressBar& bar
     if (!coarse) return Refusal(coarse.error());
     note_beside_mesh(coarse->mesh, arguments.input, ", which the refined mesh does not have");
     note_followed(*coarse);
+    if (Status kept = check_kept_segments(*coarse, arguments.options.kept_markers); !kept)
+      return Refusal(with_name(kept.error(), arguments.input.string()));
     Result<GivenSizes> sizes = read_given_sizes(arguments.goal, crossing);
     if (!sizes) return Refusal(sizes.error());
     seconds.read = watch.lap();

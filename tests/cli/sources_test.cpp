@@ -170,6 +170,30 @@ TEST_F(Keep, of_a_marker_that_no_segment_has_is_refused) {
   EXPECT_TRUE(holds(ran.err, {"two.poly: --keep: no segment of the domain has the marker 77"})) << ran.err;
 }
 
+TEST_F(Keep, of_a_marker_that_no_segment_of_a_mesh_has_is_refused) {
+  ASSERT_EQ(pardel({"mesh", "two.poly", "-o", "m.node", "-o", "m.msh", "-o", "m.vtu"}).exit_code, 0);
+  for (const std::string mesh : {"m.node", "m.msh", "m.vtu"}) {
+    const Ran ran = pardel({"mesh", mesh, "--refine", "-o", "none.ele", "--keep", "3,77"});
+    EXPECT_EQ(ran.exit_code, 3) << ran;
+    EXPECT_EQ(ran.err, "pardel: " + mesh + ": --keep: no segment of the domain has the marker 77\n");
+    EXPECT_FALSE(exists("none.ele"));
+    const json made = report({mesh, "--refine", "-o", "r.ele", "--keep", "3,4", "--max-area", "0.05"}, 4);
+    EXPECT_GT(made["refine"]["exemptions"].size(), 0U) << mesh;
+  }
+}
+
+TEST_F(Keep, of_the_boundary_marker_keeps_the_boundary_of_a_mesh_that_has_no_segments_there) {
+  write("m.node", "4 2 0 0\n0 0 0\n1 1 0\n2 1 1\n3 0 1\n");
+  write("m.ele", "2 3 0\n0 0 1 2\n1 0 2 3\n");
+  write("m.poly", "0 2 0 0\n3 1\n0 0 1 5\n1 1 2 5\n2 2 3 5\n0\n");
+  const json made = report({"m.ele", "--refine", "-o", "r.ele", "--keep", "1,5", "--max-area", "0.05"}, 4);
+  EXPECT_EQ(made["refine"]["segment_splits"], 0);
+  write("m.poly", "0 2 0 0\n4 1\n0 0 1 5\n1 1 2 5\n2 2 3 5\n3 3 0 5\n0\n");
+  const Ran ran = pardel({"mesh", "m.ele", "--refine", "-o", "r.ele", "--keep", "1,5"});
+  EXPECT_EQ(ran.exit_code, 3) << ran;
+  EXPECT_TRUE(holds(ran.err, {"m.ele: --keep: no segment of the domain has the marker 1"})) << ran.err;
+}
+
 TEST_F(Keep, refuses_a_repair_that_moves_kept_points) {
   write("near.poly",
         "5 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n5 0.99 0\n5 1\n1 1 5 3\n2 5 2 3\n3 2 3 3\n4 3 4 3\n5 4 1 3\n0\n");
