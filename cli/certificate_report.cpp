@@ -21,10 +21,10 @@ Status require_sizes(const Mesh& mesh, const Goal& goal, const Certificate& cert
   return no_size;
 }
 
-void print_certificate(const Certificate& certificate, const std::filesystem::path& json, const NumbersOfFiles& numbers,
-                       double max_circumradius) {
+void print_certificate(const Certificate& certificate, const std::filesystem::path& json,
+                       const NumbersInWitnesses& numbers, double max_circumradius) {
   const std::string all_in = json.empty() ? "the file of --json" : json.string();
-  fmt::print("{}", numbers.in_sentence(summary_text(certificate)));
+  fmt::print("{}", summary_text(certificate, numbers));
   if (certificate.valid) return;
   fmt::print(
       "{}\nnote    numbers are those of the files, or count from 0 where a file has none; triangles of a .msh count "

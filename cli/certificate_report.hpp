@@ -5,7 +5,7 @@
 
 #include "../core/result.hpp"
 #include "../properties/checker/check.hpp"
-#include "numbers_of_files.hpp"
+#include "../properties/checker/witness.hpp"
 
 namespace pardel::cli {
 
@@ -19,7 +19,7 @@ namespace pardel::cli {
 
 /// Prints the summary and the findings. `json`: the file with all findings, or empty. `max_circumradius`: as in
 /// CheckOptions.
-void print_certificate(const Certificate& certificate, const std::filesystem::path& json, const NumbersOfFiles& numbers,
-                       double max_circumradius);
+void print_certificate(const Certificate& certificate, const std::filesystem::path& json,
+                       const NumbersInWitnesses& numbers, double max_circumradius);
 
 }  // namespace pardel::cli

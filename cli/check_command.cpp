@@ -20,6 +20,7 @@
 #include "distinct_files.hpp"
 #include "goal_options.hpp"
 #include "input.hpp"
+#include "numbers_in_findings.hpp"
 #include "output.hpp"
 #include "progress_option.hpp"
 #include "rounded_points.hpp"
@@ -86,7 +87,7 @@ std::filesystem::path file_of_points(std::filesystem::path mesh) {
 }
 
 void print(const CheckArguments& arguments, const CheckInput& input, const Certificate& certificate) {
-  const NumbersOfFiles numbers(input.domain.pslg().first_id, input.mesh);
+  const NumbersInWitnesses numbers = numbers_of_files(input.domain.pslg().first_id, input.mesh);
   print_certificate(certificate, arguments.json, numbers, arguments.max_circumradius);
   if (are_input_points_rounded(certificate, input.mesh)) {
     fmt::print("hint    vertices differ from input points by rounding only: {} has too few digits{}\n",

@@ -10,7 +10,9 @@
 #include <optional>
 
 #include "../core/support/doubled_area.hpp"
+#include "beside_mesh.hpp"
 #include "length.hpp"
+#include "numbers_in_findings.hpp"
 #include "verdict.hpp"
 
 namespace pardel::cli {
@@ -61,16 +63,19 @@ std::optional<double> size_at(const Goal& goal, Point p) {
 
 /// The place of a constrained edge in the list says nothing about its file. "constrained edge 5 (1-2) has ..." becomes
 /// "constrained edge 1-2 has ...".
-std::string named_by_its_ends(const Violation& violation) {
-  const std::size_t end = violation.witness.find(')');
-  if (violation.ids.size() != 3 || end == std::string::npos) return violation.witness;
-  return fmt::format("constrained edge {}-{}{}", violation.ids[1], violation.ids[2], violation.witness.substr(end + 1));
+std::string named_by_its_ends(const std::string& witness) {
+  const std::size_t begin = witness.find('('), end = witness.find(')');
+  if (end == std::string::npos) return witness;
+  return "constrained edge " + witness.substr(begin + 1, end - begin - 1) + witness.substr(end + 1);
 }
 
-std::string sentence(const Violation& violation, const Goal& goal, double max_circumradius) {
+std::string sentence(const Violation& violation, const Goal& goal, const NumbersInWitnesses& numbers,
+                     double max_circumradius) {
   const std::vector<Index>& ids = violation.ids;
   const std::vector<Point>& p = violation.where;
-  const auto triangle = [&] { return fmt::format("triangle {}", ids[0]); };
+  const std::string witness = violation.witness.text(numbers);
+  const auto number = [&](Numbered what, std::size_t place) { return numbers.number(what, ids[place]); };
+  const auto triangle = [&] { return fmt::format("triangle {}", number(Numbered::triangle, 0)); };
   const auto area = [&] { return std::abs(doubled_area(p[0], p[1], p[2])) / 2; };
   switch (violation.kind) {
     case ViolationKind::small_angle: {
@@ -81,11 +86,11 @@ std::string sentence(const Violation& violation, const Goal& goal, double max_ci
     case ViolationKind::large_area:
       return above(triangle(), "area", area(), goal.max_area);
     case ViolationKind::region_area:
-      return fmt::format("{}: area {:.4g} is above{}", triangle(), area(),
-                         violation.witness.substr(violation.witness.rfind('>') + 1));
+      return fmt::format("{}: area {:.4g} is above{}", triangle(), area(), witness.substr(witness.rfind('>') + 1));
     case ViolationKind::long_edge:
-      return above(fmt::format("edge {}-{} of triangle {}", ids[0], ids[1], ids[2]), "length", length(p[0], p[1]),
-                   goal.max_edge);
+      return above(fmt::format("edge {}-{} of triangle {}", number(Numbered::vertex, 0), number(Numbered::vertex, 1),
+                               number(Numbered::triangle, 2)),
+                   "length", length(p[0], p[1]), goal.max_edge);
     case ViolationKind::size_exceeded: {
       if (goal.grading < INFINITY || goal.feature_edges > 0)
         return fmt::format("{}: longest edge {:.4g} is above the size at its centroid", triangle(), longest_edge(p));
@@ -98,16 +103,17 @@ std::string sentence(const Violation& violation, const Goal& goal, double max_ci
     case ViolationKind::large_circumradius:
       return above(triangle(), "circumradius", circumradius(p), max_circumradius);
     case ViolationKind::not_delaunay:
-      return before(violation.witness, ", in-circle determinant");
+      return before(witness, ", in-circle determinant");
     case ViolationKind::chain_off_segment:
-      return fmt::format("vertex {} lies too far from segment {}", ids[0], ids[1]);
+      return fmt::format("vertex {} lies too far from segment {}", number(Numbered::vertex, 0),
+                         number(Numbered::of_domain, 1));
     case ViolationKind::wrong_constrained_edge:
     case ViolationKind::wrong_edge_marker:
-      return named_by_its_ends(violation);
+      return named_by_its_ends(witness);
     case ViolationKind::overlap:
-      return before(violation.witness, ": the ends of each");
+      return before(witness, ": the ends of each");
     default:
-      return violation.witness;
+      return witness;
   }
 }
 
@@ -116,11 +122,18 @@ bool is_of_a_point(ViolationKind kind) {
   return kind == ViolationKind::missing_input_vertex || kind == ViolationKind::chain_off_segment;
 }
 
+std::string note_on_numbers(std::span<const std::filesystem::path> outputs, std::optional<MeshFormat> of_stream) {
+  const bool is_grouped = format_of_output(outputs.front(), of_stream) == MeshFormat::msh;
+  return fmt::format("\nnote    numbers are those of {}, or count from 0 where it has none{}; --json counts from 0",
+                     outputs.front().string(),
+                     is_grouped ? "; triangles count from 1, not yet grouped by region as in a .msh" : "");
+}
+
 }  // namespace
 
-std::string in_words(const Violation& violation, const Goal& goal, const NumbersOfFiles& numbers,
+std::string in_words(const Violation& violation, const Goal& goal, const NumbersInWitnesses& numbers,
                      double max_circumradius) {
-  std::string text = numbers.in_sentence(sentence(violation, goal, max_circumradius));
+  std::string text = sentence(violation, goal, numbers, max_circumradius);
   if (!violation.where.empty()) {
     const Point at = violation.where.front();
     text += is_of_a_point(violation.kind) ? fmt::format(", at ({}, {})", at.x, at.y)
@@ -129,7 +142,7 @@ std::string in_words(const Violation& violation, const Goal& goal, const Numbers
   return text;
 }
 
-std::string findings_text(const Certificate& certificate, std::string_view all_in, const NumbersOfFiles& numbers,
+std::string findings_text(const Certificate& certificate, std::string_view all_in, const NumbersInWitnesses& numbers,
                           double max_circumradius) {
   std::string text;
   auto violation = certificate.violations.begin();
@@ -150,10 +163,12 @@ std::string findings_text(const Certificate& certificate, std::string_view all_i
   return text;
 }
 
-std::string check_message(const Certificate& certificate, bool goal_met) {
+std::string check_message(const Certificate& certificate, bool goal_met, FirstId of_domain,
+                          std::span<const std::filesystem::path> outputs, std::optional<MeshFormat> of_stream) {
   const bool expected = !goal_met && only_bounds_missed(certificate);
   return (expected ? ": the check found missed bounds only\n" : ": the check found violations\n") +
-         findings_text(certificate, "the report of --json", NumbersOfFiles(FirstId{}));
+         findings_text(certificate, "the report of --json", numbers_of_outputs(of_domain, outputs, of_stream)) +
+         note_on_numbers(outputs, of_stream);
 }
 
 }  // namespace pardel::cli

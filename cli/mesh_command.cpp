@@ -154,9 +154,11 @@ void note_and_drop_points_outside(const MeshArguments& arguments, Mesh& mesh, Me
   if (arguments.drop_unused) remove_unused_vertices(mesh);
 }
 
-Result<ExitCode> verdict(const MeshRun& run, const Source& source) {
+Result<ExitCode> verdict(const MeshArguments& arguments, const MeshRun& run, const Source& source) {
   const bool goal_met = run.report.goal_met();
-  if (run.certificate && !run.certificate->valid) warn(run.name + check_message(*run.certificate, goal_met));
+  if (run.certificate && !run.certificate->valid)
+    warn(run.name + check_message(*run.certificate, goal_met, pslg_of(source).first_id, arguments.outputs,
+                                  arguments.format.of_stream));
   // A mesh that is refined has no gaps in its report.
   if (const auto* domain = std::get_if<ValidPslg>(&source); domain != nullptr && !run.report.gaps.empty())
     warn(gaps_text(run.report.gaps, run.name, *domain));
@@ -234,7 +236,7 @@ Result<ExitCode> run(MeshArguments& arguments) {
   bar.finish();
   run.seconds.total = total.seconds();
   if (Status printed = print(arguments, run); !printed) return printed.error();
-  return verdict(run, input->source);
+  return verdict(arguments, run, input->source);
 }
 
 }  // namespace

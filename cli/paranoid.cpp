@@ -13,9 +13,12 @@ Status check_sweep(const Pslg& pslg, const Mesh& mesh, std::uint64_t number, con
   const Certificate certificate =
       check(pslg, mesh, so_far, {.max_violations = most_listed, .max_circumradius = 0, .foreign = how.foreign});
   if (certificate.valid) return Done{};
+  // The mesh has no file yet. Its first vertices are the input points.
+  const int first = pslg.first_id.value;
+  const NumbersInWitnesses numbers{.first_of_domain = first, .first_triangle = first, .first_vertex = first};
   return Error{ErrorKind::internal,
                fmt::format("the check failed after sweep {}, on a lattice of {} x {} cells, {}", number, sweep.columns,
-                           sweep.rows, violations_text(certificate, most_listed))};
+                           sweep.rows, violations_text(certificate, most_listed, numbers))};
 }
 
 }  // namespace pardel::cli

@@ -57,16 +57,17 @@ void renumber(Mesh& mesh, std::span<const Index> number, std::size_t count) {
 
 }  // namespace
 
-void remove_unused_vertices(Mesh& mesh) {
+std::vector<Index> remove_unused_vertices(Mesh& mesh) {
   const std::vector<char> is_used = used_vertices(mesh);
   std::vector<Index> number(is_used.size(), no_index);
   Index count = 0;
   for (std::size_t v = 0; v < is_used.size(); ++v)
     if (is_used[v] != 0) number[v] = count++;
   renumber(mesh, number, count);
+  return number;
 }
 
-void restore_numbering(Mesh& mesh, const Pslg& original, std::span<const Index> point_map) {
+std::vector<Index> restore_numbering(Mesh& mesh, const Pslg& original, std::span<const Index> point_map) {
   std::vector<Index> number(mesh.points.size(), no_index);
   std::vector<Index> merged;
   for (Index i = 0; i < point_map.size(); ++i) {
@@ -90,6 +91,7 @@ void restore_numbering(Mesh& mesh, const Pslg& original, std::span<const Index> 
     for (std::size_t k = 0; k < width; ++k)
       mesh.point_attributes[i * width + k] = original.point_attributes[i * width + k];
   }
+  return number;
 }
 
 }  // namespace pardel::cli

@@ -2,6 +2,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <variant>
@@ -102,21 +106,48 @@ Result<MeshedForAngle> make_mesh(const TriangleSwitches& switches, const Triangl
   });
 }
 
-/// Checks the mesh. Prints the violations. Returns true if there are none, or if they are only bounds that the report
-/// lists as missed.
-bool is_right(const TriangleSwitches& switches, const TriangleInput& input, const Goal& goal, Meshed& meshed) {
+Certificate certificate_of(const TriangleSwitches& switches, const TriangleInput& input, const Goal& goal, Mesh& mesh) {
   // The attributes of a mesh that is refined need not belong to faces. The checker skips attributes that it is not
   // given.
   Array<Index> unchecked;
-  if (switches.refine && input.pslg().regions.empty()) unchecked.swap(meshed.mesh.region);
-  const Certificate certificate = check(input.pslg(), meshed.mesh, goal, {.foreign = switches.refine});
-  if (!unchecked.empty()) unchecked.swap(meshed.mesh.region);
+  if (switches.refine && input.pslg().regions.empty()) unchecked.swap(mesh.region);
+  Certificate certificate = check(input.pslg(), mesh, goal, {.foreign = switches.refine});
+  if (!unchecked.empty()) unchecked.swap(mesh.region);
+  return certificate;
+}
+
+/// Numbers the vertices as they are written: as in the input as read, and with j without those in no triangle. Returns
+/// the new number of each vertex, where those that are left out have none; nothing if the numbers stay the same.
+std::vector<std::uint64_t> number_as_written(const TriangleSwitches& switches, const TriangleInput& input, Mesh& mesh) {
+  const bool restored = input.original.has_value();
+  if (!restored && !switches.jettison) return {};
+  std::vector<Index> numbers(mesh.points.size());
+  std::iota(numbers.begin(), numbers.end(), Index{0});
+  if (restored) numbers = restore_numbering(mesh, *input.original, input.point_map);
+  if (switches.jettison) {
+    const std::vector<Index> kept = remove_unused_vertices(mesh);
+    for (Index& number : numbers) number = kept[number];
+  }
+  std::vector<std::uint64_t> in_files;
+  in_files.reserve(numbers.size());
+  for (const Index number : numbers)
+    in_files.push_back(std::uint64_t{number} + static_cast<unsigned>(input.pslg().first_id.value));
+  return in_files;
+}
+
+/// Prints the violations. Returns true if there are none, or if they are only bounds that the report lists as missed.
+/// `vertices`: as NumbersInWitnesses.
+bool is_right(const TriangleSwitches& switches, const TriangleInput& input, const Meshed& meshed,
+              const Certificate& certificate, std::span<const std::uint64_t> vertices) {
   if (certificate.valid) {
     say(switches, "Checked: the mesh is right.");
     return true;
   }
   const bool only_reported = !meshed.report.goal_met() && only_bounds_missed(certificate);
-  if (!only_reported || !switches.quiet) warn(violations_text(certificate, most_listed));
+  if (!only_reported || !switches.quiet) {
+    const int first = input.pslg().first_id.value;
+    warn(violations_text(certificate, most_listed, {first, first, first, vertices}));
+  }
   return only_reported;
 }
 
@@ -208,16 +239,16 @@ Result<ExitCode> run(const TriangleSwitches& switches) {
   if (!input) return input.error();
   Result<MeshedForAngle> made = make_mesh(switches, *input);
   if (!made) return made.error();
-  const bool right = !switches.check || is_right(switches, *input, made->goal, made->meshed);
-
   Mesh& mesh = made->meshed.mesh;
+  std::optional<Certificate> certificate;
+  if (switches.check) certificate = certificate_of(switches, *input, made->goal, mesh);
   if (const PointsOutside outside = points_outside(mesh); outside.count > 0 && !switches.quiet)
     warn(fmt::format("{}: {}", switches.name,
                      note_about(outside, !switches.refine,
                                 switches.jettison ? "the mesh is written without them"
                                                   : "the switch j writes the mesh without them")));
-  if (input->original) restore_numbering(mesh, *input->original, input->point_map);
-  if (switches.jettison) remove_unused_vertices(mesh);
+  const std::vector<std::uint64_t> vertices = number_as_written(switches, *input, mesh);
+  const bool right = !certificate || is_right(switches, *input, made->meshed, *certificate, vertices);
   set_regions(switches, mesh);
   if (Status written = write(switches, *input, mesh); !written) return written.error();
   print_statistics(switches, made->meshed);

@@ -40,14 +40,14 @@ std::size_t most_kept(const std::filesystem::path& json) {
   return json.empty() ? most_listed : std::numeric_limits<std::size_t>::max();
 }
 
-std::string violations_text(const Certificate& certificate, std::size_t most) {
+std::string violations_text(const Certificate& certificate, std::size_t most, const NumbersInWitnesses& numbers) {
   std::string text = "the check found violations:";
   for (std::size_t kind = 0; kind < certificate.violation_counts.size(); ++kind) {
     if (certificate.violation_counts[kind] == 0) continue;
     text += fmt::format(" {} {}", certificate.violation_counts[kind], name(static_cast<ViolationKind>(kind)));
   }
   const std::size_t listed = std::min(most, certificate.violations.size());
-  for (std::size_t i = 0; i < listed; ++i) text += "\n  " + certificate.violations[i].message();
+  for (std::size_t i = 0; i < listed; ++i) text += "\n  " + certificate.violations[i].message(numbers);
   if (listed < certificate.violations.size()) text += "\n  ...";
   return text;
 }

@@ -26,7 +26,8 @@ inline constexpr std::size_t most_listed = 10;
 /// The exit code of a command that has made a mesh and perhaps checked it.
 [[nodiscard]] ExitCode code_of(const std::optional<Certificate>& certificate, bool goal_met);
 
-/// The number of violations by kind, then the first `most` of them, one per line.
-[[nodiscard]] std::string violations_text(const Certificate& certificate, std::size_t most);
+/// The number of violations by kind, then the first `most` of them, one per line, with the numbers of files.
+[[nodiscard]] std::string violations_text(const Certificate& certificate, std::size_t most,
+                                          const NumbersInWitnesses& numbers);
 
 }  // namespace pardel::cli

@@ -148,7 +148,7 @@ Result<ExitCode> run_check(const CheckArguments& arguments, Job& job) {
   if (job.is_first()) {
     if (!arguments.quiet && !is_standard_output(arguments.json)) {
       constexpr double mib = 0x1p20;
-      const NumbersOfFiles numbers(problem->domain.pslg().first_id);
+      const NumbersInWitnesses numbers{.first_of_domain = problem->domain.pslg().first_id.value};
       print_certificate(certificate, arguments.json, numbers, arguments.max_circumradius);
       fmt::print("ranks   {}, {:.0f} to {:.0f} MiB of memory\n", job.ranks().count(),
                  static_cast<double>(memory.least) / mib, static_cast<double>(memory.most) / mib);

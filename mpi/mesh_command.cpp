@@ -108,6 +108,7 @@ struct Run {
   const Arguments& arguments;
   Job& job;
   MeshRun report{};
+  FirstId first_id{};  ///< of a domain whose mesh is checked
   PartsOfReport parts{!arguments.json.empty()};
 };
 
@@ -176,6 +177,7 @@ Status check_piece(MeshPiece& piece, const Problem& problem, Made& made, Run& ru
   certificate->ranks = run.job.count();
   made.valid = certificate->valid;
   run.report.certificate = std::move(*certificate);
+  run.first_id = problem.domain.pslg().first_id;
   made.seconds.check = watch.seconds();
   return Done{};
 }
@@ -429,7 +431,7 @@ ExitCode verdict(const Run& run) {
   const auto& certificate = run.report.certificate;
   const bool goal_met = run.report.exempt.missed() == 0;
   if (certificate && !certificate->valid && run.job.is_first())
-    warn(name + check_message(*certificate, goal_met), program);
+    warn(name + check_message(*certificate, goal_met, run.first_id, run.arguments.outputs), program);
   if (!goal_met && run.job.is_first())
     warn(name + ": " + missed_bounds(run.report.exempt, "one rank", "--json"), program);
   return code_of(certificate, goal_met);

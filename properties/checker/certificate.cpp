@@ -31,23 +31,24 @@ std::string counted(std::uint64_t n, const char* one, const char* several) {
 }
 
 /// The caps of the regions, for example ", areas up to 0.1 in region 0, 0.02 in region 2".
-std::string region_caps_text(const std::vector<double>& caps) {
+std::string region_caps_text(const std::vector<double>& caps, const NumbersInWitnesses& numbers) {
   constexpr std::size_t most_named = 10;
   std::string text;
   std::size_t capped = 0;
   for (std::size_t r = 0; r < caps.size(); ++r) {
     if (!std::isfinite(caps[r]) || ++capped > most_named) continue;
-    text += (capped == 1 ? ", areas up to " : ", ") + to_text(caps[r]) + " in region " + to_text(r);
+    text += (capped == 1 ? ", areas up to " : ", ") + to_text(caps[r]) + " in region " +
+            to_text(numbers.number(Numbered::of_domain, static_cast<Index>(r)));
   }
   if (capped > most_named) text += " and caps in " + to_text(capped - most_named) + " more";
   return text;
 }
 
-std::string goal_text(const Goal& goal, const std::vector<double>& region_caps) {
+std::string goal_text(const Goal& goal, const std::vector<double>& region_caps, const NumbersInWitnesses& numbers) {
   std::string text = "angles of at least " + to_text(goal.min_angle_deg) + " degrees";
   if (std::isfinite(goal.max_area)) text += ", areas up to " + to_text(goal.max_area);
   if (std::isfinite(goal.max_edge)) text += ", edges up to " + to_text(goal.max_edge);
-  text += region_caps_text(region_caps);
+  text += region_caps_text(region_caps, numbers);
   if (goal.size) text += ", sizes by position";
   if (std::isfinite(goal.grading)) text += ", lengths that grow by at most " + to_text(goal.grading);
   if (goal.feature_edges > 0) text += ", " + to_text(goal.feature_edges) + " edges per feature size";
@@ -56,11 +57,11 @@ std::string goal_text(const Goal& goal, const std::vector<double>& region_caps) 
   return text;
 }
 
-void append_extreme(std::string& text, const char* label, const Extreme& extreme) {
+void append_extreme(std::string& text, const char* label, const Extreme& extreme, const NumbersInWitnesses& numbers) {
   text += "  " + padded(label, 26) + padded(to_short_text(extreme.value), 14);
   if (extreme.triangle != no_index)
-    text += "triangle " + to_text(extreme.triangle) + " at (" + to_short_text(extreme.where.x) + ", " +
-            to_short_text(extreme.where.y) + ")";
+    text += "triangle " + to_text(numbers.number(Numbered::triangle, extreme.triangle)) + " at (" +
+            to_short_text(extreme.where.x) + ", " + to_short_text(extreme.where.y) + ")";
   text += '\n';
 }
 
@@ -93,7 +94,7 @@ std::string input_angles_text(const Summary& summary) {
 }
 
 /// One line for each apex: the number of triangles it justifies, and the smallest angle among them.
-void append_justified(std::string& text, const std::vector<Justified>& justified) {
+void append_justified(std::string& text, const std::vector<Justified>& justified, const NumbersInWitnesses& numbers) {
   if (justified.empty()) return;
   std::map<Index, Summary> by_apex;
   for (const Justified& j : justified) {
@@ -112,8 +113,8 @@ void append_justified(std::string& text, const std::vector<Justified>& justified
       text += "  and at " + to_text(by_apex.size() - shown) + " further points\n";
       break;
     }
-    text += "  at point " + to_text(apex) + ": " + to_text(summary.triangles) + ", down to " +
-            to_short_text(summary.angle) + " degrees, at " + input_angles_text(summary) + '\n';
+    text += "  at point " + to_text(numbers.number(Numbered::of_domain, apex)) + ": " + to_text(summary.triangles) +
+            ", down to " + to_short_text(summary.angle) + " degrees, at " + input_angles_text(summary) + '\n';
   }
 }
 
@@ -153,28 +154,28 @@ Json to_json(const Violation& violation) {
   return {{"kind", name(violation.kind)},
           {"ids", std::move(ids)},
           {"where", std::move(where)},
-          {"witness", violation.witness}};
+          {"witness", violation.witness.text()}};
 }
 
 }  // namespace
 
-std::string summary_text(const Certificate& certificate) {
+std::string summary_text(const Certificate& certificate, const NumbersInWitnesses& numbers) {
   std::string text = certificate.cancelled ? "cancelled" : certificate.valid ? "valid" : "NOT VALID";
   text += ": " + counted(certificate.vertices, "vertex", "vertices") + ", " +
           counted(certificate.triangles, "triangle", "triangles") + ", " +
           counted(certificate.constrained_edges, "constrained edge", "constrained edges") + '\n';
-  text += "goal: " + goal_text(certificate.goal, certificate.region_caps) + '\n';
-  append_extreme(text, "smallest angle", certificate.min_angle_deg);
-  append_extreme(text, "largest angle", certificate.max_angle_deg);
-  append_extreme(text, "shortest edge", certificate.min_edge);
-  append_extreme(text, "longest edge", certificate.max_edge);
-  append_extreme(text, "largest area", certificate.max_area);
-  append_extreme(text, "largest circumradius", certificate.max_circumradius);
-  append_extreme(text, "largest radius / edge", certificate.max_radius_edge_ratio);
+  text += "goal: " + goal_text(certificate.goal, certificate.region_caps, numbers) + '\n';
+  append_extreme(text, "smallest angle", certificate.min_angle_deg, numbers);
+  append_extreme(text, "largest angle", certificate.max_angle_deg, numbers);
+  append_extreme(text, "shortest edge", certificate.min_edge, numbers);
+  append_extreme(text, "longest edge", certificate.max_edge, numbers);
+  append_extreme(text, "largest area", certificate.max_area, numbers);
+  append_extreme(text, "largest circumradius", certificate.max_circumradius, numbers);
+  append_extreme(text, "largest radius / edge", certificate.max_radius_edge_ratio, numbers);
   text += "  " + padded("area", 26) + to_text(certificate.area) + '\n';
   text += "  " + padded("equilateral triangles", 26) + to_text(certificate.equilateral) + '\n';
   append_histogram(text, certificate.angle_histogram);
-  append_justified(text, certificate.justified);
+  append_justified(text, certificate.justified, numbers);
   for (const std::string& what : certificate.not_checked) text += "not checked: " + what + '\n';
   text += "digest " + to_string(certificate.digest) + '\n';
   return text;

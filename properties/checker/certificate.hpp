@@ -59,12 +59,13 @@ struct Certificate {
   Digest digest;  ///< of the mesh; all zero if the arrays of the mesh are unusable
 };
 
-/// Plain text for people, several lines.
+/// Plain text for people, several lines. All numbers count from 0.
 [[nodiscard]] std::string to_text(const Certificate& certificate);
-/// The same without the list of violations.
-[[nodiscard]] std::string summary_text(const Certificate& certificate);
+/// The same without the list of violations, with the numbers of files.
+[[nodiscard]] std::string summary_text(const Certificate& certificate, const NumbersInWitnesses& numbers = {});
 
-/// JSON, schema pardel.certificate/1. An infinite bound, and an index that is no_index, is written as null.
+/// JSON, schema pardel.certificate/1. All numbers count from 0. An infinite bound, and an index that is no_index, is
+/// written as null.
 [[nodiscard]] std::string to_json(const Certificate& certificate);
 
 }  // namespace pardel

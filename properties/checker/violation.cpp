@@ -45,22 +45,28 @@ constexpr auto names = enum_names<ViolationKind>({
 });
 static_assert(names.size() == violation_kinds);
 
+std::string places(const std::vector<Point>& where) {
+  std::string text;
+  for (std::size_t i = 0; i < where.size(); ++i) text.append(i == 0 ? " at " : ", ").append(checker::to_text(where[i]));
+  return text;
+}
+
 }  // namespace
 
 const char* name(ViolationKind kind) { return names[kind]; }
 
 std::string Violation::message() const {
-  using checker::to_text;
-  std::string text = name(kind);
-  text += ": ";
-  text += witness;
+  std::string text = name(kind) + (": " + witness.text());
   if (!ids.empty()) {
     text += " [ids";
-    for (const Index id : ids) text.append(" ").append(id == no_index ? "none" : to_text(id));
+    for (const Index id : ids) text.append(" ").append(id == no_index ? "none" : checker::to_text(id));
     text += "]";
   }
-  for (std::size_t i = 0; i < where.size(); ++i) text.append(i == 0 ? " at " : ", ").append(to_text(where[i]));
-  return text;
+  return text + places(where);
+}
+
+std::string Violation::message(const NumbersInWitnesses& numbers) const {
+  return name(kind) + (": " + witness.text(numbers)) + places(where);
 }
 
 }  // namespace pardel

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "../../core/pslg.hpp"
+#include "witness.hpp"
 
 namespace pardel {
 
@@ -62,10 +63,12 @@ struct Violation {
   ViolationKind kind;
   std::vector<Index> ids;    ///< of vertices, triangles, edges or segments, from 0; the witness says which
   std::vector<Point> where;  ///< places in the mesh or in the input
-  std::string witness;       ///< the proof as text: "in-circle determinant +3/8192", "area 0.31 > 0.25"
+  Witness witness;           ///< the proof as text: "in-circle determinant +3/8192", "area 0.31 > 0.25"
 
-  /// One line: the kind, the witness, the ids and the places.
+  /// One line: the kind, the witness, the ids and the places. All numbers count from 0.
   [[nodiscard]] std::string message() const;
+  /// The same without the ids, with the numbers of files.
+  [[nodiscard]] std::string message(const NumbersInWitnesses& numbers) const;
 };
 
 }  // namespace pardel

@@ -175,5 +175,71 @@ TEST_F(NumbersOfFile, name_a_point_that_a_raster_does_not_cover) {
   EXPECT_TRUE(holds(ran.err, {"does not cover point 20 at (2, 0)"})) << ran;
 }
 
+/// Two squares with one region each. Points, segments and regions count from `first`.
+std::string two_squares(int first) {
+  const auto n = [&](int i) { return std::to_string(i + first) + " "; };
+  const std::vector<std::string> points{"0 0", "1 0", "2 0", "2 1", "1 1", "0 1"};
+  std::string poly = "6 2 0 0\n";
+  for (int i = 0; i < 6; ++i) poly += n(i) + points[static_cast<std::size_t>(i)] + "\n";
+  poly += "7 1\n";
+  for (int i = 0; i < 6; ++i) poly += n(i) + n(i) + n((i + 1) % 6) + "1\n";
+  return poly + n(6) + n(1) + n(4) + "2\n0\n2\n" + n(0) + "0.5 0.5 1 -1\n" + n(1) + "1.5 0.5 2 0.01\n";
+}
+
+TEST_F(NumbersOfFile, are_those_of_the_first_output_in_the_check_of_a_mesh_just_made) {
+  for (const int of_domain : {0, 1}) {
+    write("two.poly", two_squares(of_domain));
+    for (const auto& [output, first] : {std::pair{"m.node", 1},
+                                        {"m.vtu", 0},
+                                        {"m.msh", 1},
+                                        {"m.off", 0},
+                                        {"m.2dm", 1},
+                                        {"m.vtk", 0},
+                                        {"m.gr3", 1},
+                                        {"m.inp", 1},
+                                        {"m.svg", 0}}) {
+      const Ran ran = pardel({"mesh", "two.poly", "-o", output, "-o", "other.ele", "-o", "other.off", "--check",
+                              "--max-edge", "0.3", "--regions", "--max-vertices", "7", "--json", "r.json"});
+      EXPECT_EQ(ran.exit_code, 4) << ran;
+      const nlohmann::json report = nlohmann::json::parse(read("r.json"));
+      int compared = 0;
+      for (const nlohmann::json& violation : report["certificate"]["violations"]) {
+        const auto number = [&](std::size_t i) { return std::to_string(violation["ids"][i].get<int>() + first); };
+        if (violation["kind"] == "long_edge" && ++compared <= 10) {
+          EXPECT_TRUE(
+              holds(ran.err, {"edge " + number(0) + "-" + number(1) + " of triangle " + number(2) + ": length"}))
+              << output;
+        } else if (violation["kind"] == "region_area") {
+          EXPECT_TRUE(holds(ran.err, {"triangle " + number(0) + ": area ",
+                                      "the cap of region " + std::to_string(1 + of_domain) + ", at"}))
+              << output;
+        }
+      }
+      EXPECT_GE(compared, 10) << ran;
+      EXPECT_TRUE(holds(ran.err, {std::string("numbers are those of ") + output, "--json counts from 0"})) << ran;
+    }
+  }
+}
+
+/// Point 0 is outside, points 1 and 2 are one, and the segment from point 1 to 4 is not Delaunay.
+TEST_F(NumbersOfFile, are_those_of_the_written_files_in_the_check_of_triangle) {
+  for (const int first : {0, 1}) {
+    const auto n = [&](int i) { return std::to_string(i + first) + " "; };
+    write("d.poly", "6 2 0 0\n" + n(0) + "9 9\n" + n(1) + "0 0\n" + n(2) + "0 0\n" + n(3) + "2 -0.5\n" + n(4) +
+                        "4 0\n" + n(5) + "2 0.5\n5 0\n" + n(0) + n(1) + n(3) + "\n" + n(1) + n(3) + n(4) + "\n" + n(2) +
+                        n(4) + n(5) + "\n" + n(3) + n(5) + n(2) + "\n" + n(4) + n(1) + n(4) + "\n0\n");
+    const auto said = [&](int a, int b, int apex) {
+      return "edge " + std::to_string(a + first) + "-" + std::to_string(b + first) + " of triangles " +
+             std::to_string(first) + " and " + std::to_string(1 + first) + " is not locally Delaunay: vertex " +
+             std::to_string(apex + first) + " (2, 0.5)";
+    };
+    EXPECT_TRUE(holds(pardel({"triangle", "-pDS0C", "d"}).err, {said(4, 1, 5)})) << pardel({"triangle", "-pDS0C", "d"});
+    EXPECT_TRUE(holds(read("d.1.node"), {"\n" + n(1) + "0 0 ", "\n" + n(4) + "4 0 ", "\n" + n(5) + "2 0.5 "}));
+    EXPECT_TRUE(holds(pardel({"triangle", "-pDjS0C", "d"}).err, {said(2, 0, 3)}))
+        << pardel({"triangle", "-pDjS0C", "d"});
+    EXPECT_TRUE(holds(read("d.1.node"), {"\n" + n(0) + "0 0 ", "\n" + n(2) + "4 0 ", "\n" + n(3) + "2 0.5 "}));
+  }
+}
+
 }  // namespace
 }  // namespace pardel::testing

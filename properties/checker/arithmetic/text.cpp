@@ -23,6 +23,4 @@ std::string to_text(double value) { return shortest(value); }
 std::string to_text(Point p) { return shortest(p); }
 std::string to_short_text(double value) { return digits(value, std::chars_format::general, 6); }
 
-std::string edge_text(Index a, Index b) { return to_text(a) + "-" + to_text(b); }
-
 }  // namespace pardel::checker

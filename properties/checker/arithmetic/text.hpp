@@ -1,4 +1,4 @@
-// Numbers, points and edges as text, for messages and certificates.
+// Numbers and points as text, for messages and certificates.
 #pragma once
 
 #include <concepts>
@@ -21,8 +21,5 @@ namespace pardel::checker {
 
 /// Six significant digits.
 [[nodiscard]] std::string to_short_text(double value);
-
-/// "a-b": the edge between two vertices.
-[[nodiscard]] std::string edge_text(Index a, Index b);
 
 }  // namespace pardel::checker

@@ -42,9 +42,10 @@ std::uint64_t check_border_delaunay(const KeptPart& part, Index first_triangle, 
       found.keep({kind,
                   {from.number, to.number, t, other.triangle},
                   {b, c},
-                  "edge " + edge_text(from.number, to.number) + " of triangles " + to_text(t) + " and " +
-                      to_text(other.triangle) + " is not locally Delaunay: vertex " + to_text(other.apex) + " " +
-                      to_text(other.at) + " lies inside the circumcircle, in-circle determinant " +
+                  "edge " + edge_text(from.number, to.number) + " of triangles " + triangle_number(t) + " and " +
+                      triangle_number(other.triangle) + " is not locally Delaunay: vertex " +
+                      vertex_number(other.apex) + " " + to_text(other.at) +
+                      " lies inside the circumcircle, in-circle determinant " +
                       exactly::in_circle_text(a, b, c, other.at)});
   }
   std::ranges::sort(open);

@@ -1,6 +1,8 @@
 #include "merge.hpp"
 
 #include <array>
+#include <span>
+#include <string>
 #include <utility>
 
 #include "../../../core/support/collective.hpp"
@@ -18,7 +20,8 @@ Ranks::Bytes message_of(const Findings& findings) {
     message.list(std::vector{violation.kind});
     message.list(violation.ids);
     message.list(violation.where);
-    message.list(std::vector<char>(violation.witness.begin(), violation.witness.end()));
+    message.list(std::span<const char>(violation.witness.words()));
+    message.list(violation.witness.numbers());
   }
   return message.take();
 }
@@ -31,8 +34,8 @@ Findings findings_of(const Ranks::Bytes& message, std::size_t limit) {
     violation.kind = reader.list<ViolationKind>().at(0);
     violation.ids = reader.list<Index>();
     violation.where = reader.list<Point>();
-    const auto witness = reader.list<char>();
-    violation.witness.assign(witness.begin(), witness.end());
+    const auto words = reader.list<char>();
+    violation.witness = {std::string(words.begin(), words.end()), reader.list<Witness::Number>()};
   }
   return {limit, counts, std::move(kept)};
 }

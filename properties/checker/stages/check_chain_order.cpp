@@ -44,13 +44,13 @@ void check_chain_order(const Subject& subject, const Domain& domain, const Chain
       if (!counter_clockwise_before(centre, leaving[k].second, leaving[next(k)].second)) ++turns;
     if (leaving.size() < 3 || turns == 1) return;
     std::vector<Index> ids{input};
-    std::string segments;
+    Witness segments;
     for (const auto& [s, to] : leaving) {
       ids.push_back(s);
       segments += (segments.empty() ? "" : ", ") + segment_text(domain, s);
     }
     mine.add(ViolationKind::wrong_chain_order, std::move(ids), {centre},
-             "around input point " + to_text(i) + ", the first edges on " + segments +
+             "around input point " + domain_number(i) + ", the first edges on " + segments +
                  " do not leave in this counter-clockwise order, as the segments do");
   });
 }

@@ -30,17 +30,18 @@ void check_sides(const Subject& subject, const Domain& domain, const Chains& cha
       const TriangleEdge triangle = side == Side::left ? edge.left : edge.right;
       const bool expected = domain.inside(edge.segment, side);
       if (triangle.exists() == expected) continue;
-      const std::string place = std::string(side == Side::left ? "left" : "right") + " of edge " +
-                                names.edge_text(edge.from, edge.to) + " of segment " + to_text(edge.segment);
+      const Witness place = std::string(side == Side::left ? "left" : "right") + " of edge " +
+                            names.edge_text(edge.from, edge.to) + " of segment " + domain_number(edge.segment);
       const std::vector<Point> where{subject.mesh.points[edge.from], subject.mesh.points[edge.to]};
       if (expected)
         found.add(ViolationKind::uncovered_domain, {names.vertex(edge.from), names.vertex(edge.to), edge.segment},
                   where, "no triangle on the " + place + ", where the domain is");
       else
-        found.add(
-            ViolationKind::covered_exterior,
-            {names.triangle(triangle.triangle), names.vertex(edge.from), names.vertex(edge.to), edge.segment}, where,
-            "triangle " + to_text(names.triangle(triangle.triangle)) + " on the " + place + ", outside the domain");
+        found.add(ViolationKind::covered_exterior,
+                  {names.triangle(triangle.triangle), names.vertex(edge.from), names.vertex(edge.to), edge.segment},
+                  where,
+                  "triangle " + triangle_number(names.triangle(triangle.triangle)) + " on the " + place +
+                      ", outside the domain");
     }
   }
 }
@@ -64,7 +65,7 @@ void check_presence(const Subject& subject, const Domain& domain, const Chains& 
       found.add(ViolationKind::uncovered_domain, {static_cast<Index>(s)},
                 {subject.pslg.points[segment.a], subject.pslg.points[segment.b]},
                 "the face of the domain on the " + std::string(side == Side::left ? "left" : "right") + " of segment " +
-                    to_text(s) + " has no triangle at any of its segments");
+                    domain_number(s) + " has no triangle at any of its segments");
     }
   }
 }
@@ -195,11 +196,11 @@ std::vector<Index> check_boundary(const Subject& subject, const Domain& domain, 
     if (domain.inside(domain.faces().face_at(midpoint(where[0], where[1])))) {
       if (!simple || right == 0)
         found.add(ViolationKind::uncovered_domain, in_names, where,
-                  "edge " + names.edge_text(edge.from, edge.to) + " of triangle " + to_text(in_names[0]) +
+                  "edge " + names.edge_text(edge.from, edge.to) + " of triangle " + triangle_number(in_names[0]) +
                       " has no neighbour although it lies inside the domain and on no segment");
     } else {
       found.add(ViolationKind::covered_exterior, in_names, where,
-                "triangle " + to_text(in_names[0]) + " ends at edge " + names.edge_text(edge.from, edge.to) +
+                "triangle " + triangle_number(in_names[0]) + " ends at edge " + names.edge_text(edge.from, edge.to) +
                     ", which lies on no chain and not inside the domain");
     }
   }

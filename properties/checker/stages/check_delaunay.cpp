@@ -32,9 +32,9 @@ void check_delaunay(const Subject& subject, const Adjacency& adjacency, const Ch
         mine.keep({kind,
                    {names.vertex(from), names.vertex(to), names.triangle(t), names.triangle(other)},
                    {subject.mesh.points[from], subject.mesh.points[to]},
-                   "edge " + names.edge_text(from, to) + " of triangles " + to_text(names.triangle(t)) + " and " +
-                       to_text(names.triangle(other)) + " is not locally Delaunay: vertex " +
-                       to_text(names.vertex(apex)) + " " + to_text(d) +
+                   "edge " + names.edge_text(from, to) + " of triangles " + triangle_number(names.triangle(t)) +
+                       " and " + triangle_number(names.triangle(other)) + " is not locally Delaunay: vertex " +
+                       vertex_number(names.vertex(apex)) + " " + to_text(d) +
                        " lies inside the circumcircle, in-circle determinant " + exactly::in_circle_text(a, b, c, d)});
     }
   });

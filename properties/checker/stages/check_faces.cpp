@@ -50,7 +50,7 @@ class FaceComparison {
       const Index in_mesh = graph_.faces().face_at(points[i]);
       if (in_mesh != no_index && of_mesh_[in_mesh].partner == face) return;
       mine.add(ViolationKind::wrong_face, {input}, {points[i]},
-               "input point " + to_text(i) + " lies on one side of " + nearest_segment(points[i]) +
+               "input point " + domain_number(i) + " lies on one side of " + nearest_segment(points[i]) +
                    " in the domain, and on the other side of its edges in the mesh");
     });
   }
@@ -89,8 +89,8 @@ class FaceComparison {
                   (other.has_place ? segment_text(domain_, chains_.edges[other.seen_at].segment) : "the outside"));
   }
 
-  [[nodiscard]] std::string nearest_segment(Point p) const {
-    std::string nearest = "a segment";
+  [[nodiscard]] Witness nearest_segment(Point p) const {
+    Witness nearest = "a segment";
     double least = std::numeric_limits<double>::infinity();
     for (const ChainEdge& edge : chains_.edges) {
       const Point a = subject_.mesh.points[edge.from], b = subject_.mesh.points[edge.to];

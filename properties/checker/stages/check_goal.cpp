@@ -83,10 +83,10 @@ class GoalCheck {
     found.keep({ViolationKind::small_angle,
                 ids(t),
                 {p[sharp], a, b},
-                "triangle " + to_text(names().triangle(t)) + " has an angle of " + to_text(angle_deg(p[sharp], a, b)) +
-                    " degrees < " + to_text(subject_.goal.min_angle_deg) + ": its squared cosine " +
-                    exactly::squared_cosine_text(p[sharp], a, b) + " exceeds the square of " + to_text(cosine_bound_) +
-                    ", and no small input angle justifies it"});
+                "triangle " + triangle_number(names().triangle(t)) + " has an angle of " +
+                    to_text(angle_deg(p[sharp], a, b)) + " degrees < " + to_text(subject_.goal.min_angle_deg) +
+                    ": its squared cosine " + exactly::squared_cosine_text(p[sharp], a, b) + " exceeds the square of " +
+                    to_text(cosine_bound_) + ", and no small input angle justifies it"});
   }
 
   void check_area(Index t, const std::array<Point, 3>& p, Findings& found) const {
@@ -103,13 +103,13 @@ class GoalCheck {
         found.keep({ViolationKind::region_area,
                     ids(t),
                     {p.begin(), p.end()},
-                    area_description(t, p, cap) + ", the cap of region " + to_text(region)});
+                    area_description(t, p, cap) + ", the cap of region " + domain_number(region)});
     }
   }
 
-  [[nodiscard]] std::string area_description(Index t, const std::array<Point, 3>& p, double cap) const {
-    return "triangle " + to_text(names().triangle(t)) + " has area " + exactly::area_text(p[0], p[1], p[2]) + " > " +
-           to_text(cap);
+  [[nodiscard]] Witness area_description(Index t, const std::array<Point, 3>& p, double cap) const {
+    return "triangle " + triangle_number(names().triangle(t)) + " has area " + exactly::area_text(p[0], p[1], p[2]) +
+           " > " + to_text(cap);
   }
 
   void check_edges(Index t, const std::array<Point, 3>& p, Findings& found) const {
@@ -125,8 +125,8 @@ class GoalCheck {
                   {names().vertex(triangle.v[next(k)]), names().vertex(triangle.v[previous(k)]), names().triangle(t)},
                   {a, b},
                   "edge " + names().edge_text(triangle.v[next(k)], triangle.v[previous(k)]) + " of triangle " +
-                      to_text(names().triangle(t)) + " has squared length " + exactly::squared_length_text(a, b) +
-                      ", more than the square of " + to_text(cap)});
+                      triangle_number(names().triangle(t)) + " has squared length " +
+                      exactly::squared_length_text(a, b) + ", more than the square of " + to_text(cap)});
     }
   }
 
@@ -143,7 +143,7 @@ class GoalCheck {
       found.keep({ViolationKind::size_exceeded,
                   ids(t),
                   {p.begin(), p.end()},
-                  "triangle " + to_text(names().triangle(t)) + " has an edge of length " + to_text(longest) +
+                  "triangle " + triangle_number(names().triangle(t)) + " has an edge of length " + to_text(longest) +
                       (size ? " > " + to_text(*size) + ", the size at its centroid"
                             : ", and the size function threw an exception at its centroid")});
   }
@@ -173,7 +173,7 @@ class GoalCheck {
       found.keep({ViolationKind::large_circumradius,
                   ids(t),
                   {p.begin(), p.end()},
-                  "triangle " + to_text(names().triangle(t)) + " has squared circumradius " +
+                  "triangle " + triangle_number(names().triangle(t)) + " has squared circumradius " +
                       exactly::squared_circumradius_text(p[0], p[1], p[2]) + ", more than the square of " +
                       to_text(bound)});
   }

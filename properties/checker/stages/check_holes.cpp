@@ -48,7 +48,7 @@ void check_holes(const Subject& subject, const Domain& domain, const Chains& cha
       if (within_rounding(p, static_cast<Index>(t), subject, domain, chains)) continue;
       const Index name = subject.names.triangle(static_cast<Index>(t));
       mine.add(ViolationKind::covered_exterior, {name, *hole}, {p},
-               "triangle " + to_text(name) + " contains the seed of hole " + to_text(*hole));
+               "triangle " + triangle_number(name) + " contains the seed of hole " + domain_number(*hole));
     }
   });
 }

@@ -59,8 +59,8 @@ class ConstrainedEdges {
         found_.add(ViolationKind::missing_constrained_edge,
                    {names_.vertex(edge.low), names_.vertex(edge.high), edge.segment},
                    {mesh_.points[edge.low], mesh_.points[edge.high]},
-                   "edge " + names_.edge_text(edge.low, edge.high) + " is part of segment " + to_text(edge.segment) +
-                       " but is not listed as constrained");
+                   "edge " + names_.edge_text(edge.low, edge.high) + " is part of segment " +
+                       domain_number(edge.segment) + " but is not listed as constrained");
   }
 
  private:
@@ -70,9 +70,9 @@ class ConstrainedEdges {
     bool listed;
   };
 
-  static std::string id_text(Index segment) { return segment == no_index ? "none" : to_text(segment); }
+  static Witness id_text(Index segment) { return segment == no_index ? "none" : domain_number(segment); }
 
-  void report(ViolationKind kind, const ConstrainedEdge& edge, Index position, const std::string& what) {
+  void report(ViolationKind kind, const ConstrainedEdge& edge, Index position, const Witness& what) {
     found_.add(kind, {names_.listed_edge(position), names_.vertex(edge.a), names_.vertex(edge.b)},
                {mesh_.points[edge.a], mesh_.points[edge.b]},
                "constrained edge " + to_text(names_.listed_edge(position)) + " (" + names_.edge_text(edge.a, edge.b) +
@@ -160,16 +160,16 @@ void check_vertex_markers(const Subject& subject, const Domain& domain, const Ch
       }
     }
     mine.add(ViolationKind::wrong_vertex_marker, {subject.names.vertex(vertex)}, {mesh.points[v]},
-             "vertex " + to_text(subject.names.vertex(vertex)) + " has marker " + to_text(given) + " instead of " +
-                 expected);
+             "vertex " + vertex_number(subject.names.vertex(vertex)) + " has marker " + to_text(given) +
+                 " instead of " + expected);
   });
 }
 
-std::string origin_text(Index origin) {
+Witness origin_text(Index origin) {
   if (origin == input_vertex) return "an input point";
   if (origin == interior_vertex) return "in the interior";
   if (origin == hull_vertex) return "on the hull";
-  return "on segment " + to_text(segment_of_origin(origin));
+  return "on segment " + domain_number(segment_of_origin(origin));
 }
 
 void check_origins(const Subject& subject, const Domain& domain, const Chains& chains, const InputVertices& inputs,
@@ -185,8 +185,8 @@ void check_origins(const Subject& subject, const Domain& domain, const Chains& c
                                                             : origin_on_segment(segment);
     if (mesh.origin[v] != expected)
       mine.add(ViolationKind::wrong_origin, {subject.names.vertex(vertex)}, {mesh.points[v]},
-               "vertex " + to_text(subject.names.vertex(vertex)) + " is listed as " + origin_text(mesh.origin[v]) +
-                   " but is " + origin_text(expected));
+               "vertex " + vertex_number(subject.names.vertex(vertex)) + " is listed as " +
+                   origin_text(mesh.origin[v]) + " but is " + origin_text(expected));
   });
 }
 
@@ -209,13 +209,13 @@ void check_regions(const Subject& subject, const Domain& domain, std::span<const
     if (right) return;
     const std::string is =
         given == no_index ? "no region" : "the region attribute " + to_text(mesh.region_attributes[given]);
-    const std::string belongs =
-        seeded.empty() ? "no region"
-                       : to_text(regions[seeded[0].second].attribute) + ", that of region " + to_text(seeded[0].second);
+    const Witness belongs = seeded.empty() ? "no region"
+                                           : to_text(regions[seeded[0].second].attribute) + ", that of region " +
+                                                 domain_number(seeded[0].second);
     mine.add(ViolationKind::wrong_region, {subject.names.triangle(static_cast<Index>(t)), given},
              {subject.corner(mesh.triangles[t], 0), subject.corner(mesh.triangles[t], 1),
               subject.corner(mesh.triangles[t], 2)},
-             "triangle " + to_text(subject.names.triangle(static_cast<Index>(t))) + " has " + is +
+             "triangle " + triangle_number(subject.names.triangle(static_cast<Index>(t))) + " has " + is +
                  ", but its face has " + belongs);
   });
 }
@@ -237,9 +237,9 @@ void check_interpolated_attributes(const Subject& subject, const Domain& domain,
     const Index name = subject.names.vertex(v);
     const auto& [attribute, range] = *outside;
     mine.add(ViolationKind::wrong_attribute, {name}, {mesh.points[v]},
-             "attribute " + to_text(attribute) + " of vertex " + to_text(name) + " is " +
+             "attribute " + to_text(attribute) + " of vertex " + vertex_number(name) + " is " +
                  to_text(mesh.point_attributes[i * mesh.attributes_per_point + attribute]) + ", but those of the " +
-                 (is_on_segment ? "ends of segment " + to_text(segment) : "input points") + " are between " +
+                 (is_on_segment ? "ends of segment " + domain_number(segment) : "input points") + " are between " +
                  to_text(range.least) + " and " + to_text(range.greatest));
   });
 }
@@ -259,8 +259,8 @@ void check_attributes(const Subject& subject, const Domain& domain, const Chains
       const double belongs = subject.pslg.point_attributes[i * n + k];
       if (is_same_attribute(given, belongs)) continue;
       found.add(ViolationKind::wrong_attribute, {subject.names.vertex(v)}, {mesh.points[v]},
-                "attribute " + to_text(k) + " of vertex " + to_text(subject.names.vertex(v)) + " is " + to_text(given) +
-                    " instead of " + to_text(belongs));
+                "attribute " + to_text(k) + " of vertex " + vertex_number(subject.names.vertex(v)) + " is " +
+                    to_text(given) + " instead of " + to_text(belongs));
     }
   }
   check_interpolated_attributes(subject, domain, chains, inputs, found);

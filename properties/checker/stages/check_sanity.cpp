@@ -24,12 +24,12 @@ bool check_input(const Pslg& pslg, Findings& found) {
     ask();
     if (is_finite(pslg.points[i])) continue;
     found.add(ViolationKind::non_finite_coordinate, {static_cast<Index>(i)}, {pslg.points[i]},
-              "point " + to_text(i) + " of the input is not finite");
+              "point " + domain_number(i) + " of the input is not finite");
   }
   const auto seed_is_usable = [&](Point seed, std::size_t i, const char* what) {
     if (is_finite(seed)) return;
     found.add(ViolationKind::non_finite_coordinate, {static_cast<Index>(i)}, {seed},
-              what + to_text(i) + " of the input is not finite");
+              what + domain_number(i) + " of the input is not finite");
   };
   for (std::size_t i = 0; i < pslg.holes.size(); ++i) seed_is_usable(pslg.holes[i], i, "hole ");
   for (std::size_t i = 0; i < pslg.regions.size(); ++i) seed_is_usable(pslg.regions[i].seed, i, "the seed of region ");
@@ -38,7 +38,7 @@ bool check_input(const Pslg& pslg, Findings& found) {
     const auto [a, b, marker] = pslg.segments[s];
     if (a < pslg.points.size() && b < pslg.points.size()) continue;
     found.add(ViolationKind::index_out_of_range, {static_cast<Index>(s), a, b}, {},
-              "segment " + to_text(s) + " of the input refers to a point that does not exist");
+              "segment " + domain_number(s) + " of the input refers to a point that does not exist");
   }
   return problems_of_geometry(found) == before;
 }
@@ -51,7 +51,7 @@ void check_corners(const Subject& subject, Findings& found) {
     if (is_finite(mesh.points[v])) return;
     const Index name = subject.names.vertex(static_cast<Index>(v));
     mine.add(ViolationKind::non_finite_coordinate, {name}, {mesh.points[v]},
-             "vertex " + to_text(name) + " is not finite");
+             "vertex " + vertex_number(name) + " is not finite");
   });
   check_each(mesh.triangles.size(), found, [&](std::size_t t, Findings& mine) {
     const auto [a, b, c] = mesh.triangles[t].v;
@@ -59,11 +59,12 @@ void check_corners(const Subject& subject, Findings& found) {
     const Index name = subject.names.triangle(static_cast<Index>(t));
     if (a >= n || b >= n || c >= n)
       mine.add(ViolationKind::index_out_of_range, {name, a, b, c}, {},
-               "triangle " + to_text(name) + " refers to a vertex that does not exist (there are " + to_text(n) + ")");
+               "triangle " + triangle_number(name) + " refers to a vertex that does not exist (there are " +
+                   to_text(n) + ")");
     else if (a == b || b == c || c == a)
       mine.add(ViolationKind::degenerate_triangle,
                subject.names.triangle_and_corners(static_cast<Index>(t), mesh.triangles[t]), {mesh.points[a]},
-               "triangle " + to_text(name) + " has two equal corners");
+               "triangle " + triangle_number(name) + " has two equal corners");
   });
 }
 
@@ -73,7 +74,7 @@ bool neighbours_are_usable(const Mesh& mesh, Findings& found) {
     for (const Index n : mesh.triangles[t].n)
       if (n != no_index && n >= mesh.triangles.size())
         mine.add(ViolationKind::index_out_of_range, {static_cast<Index>(t), n}, {},
-                 "triangle " + to_text(t) + " has a neighbour that does not exist");
+                 "triangle " + triangle_number(t) + " has a neighbour that does not exist");
   });
   return found.count(ViolationKind::index_out_of_range) == before;
 }
@@ -101,7 +102,7 @@ bool labels_are_usable(const Subject& subject, Findings& found) {
   if (are_attributes && !mesh.points.empty())
     expect_count(mesh.attributes_per_point, subject.pslg.attributes_per_point, false, "attributes of a point");
 
-  const auto out_of_range = [&](std::vector<Index> ids, const std::string& what) {
+  const auto out_of_range = [&](std::vector<Index> ids, const Witness& what) {
     usable = false;
     found.add(ViolationKind::index_out_of_range, std::move(ids), {}, what);
   };
@@ -120,7 +121,7 @@ bool labels_are_usable(const Subject& subject, Findings& found) {
     ask();
     if (mesh.region[t] != no_index && mesh.region[t] >= mesh.region_attributes.size())
       out_of_range({static_cast<Index>(t), mesh.region[t]},
-                   "triangle " + to_text(t) + " lies in a region that does not exist");
+                   "triangle " + triangle_number(t) + " lies in a region that does not exist");
   }
   return usable;
 }

@@ -76,13 +76,13 @@ InputVertices check_input_vertices(const Subject& subject, const Domain& domain,
     const auto input = static_cast<Index>(i);
     const Index vertex = inputs.vertex(input);
     const bool needed = domain.has_point(input);
-    const auto report = [&](const std::string& what) {
-      mine.add(ViolationKind::missing_input_vertex, {input}, {points[i]}, "input point " + to_text(i) + what);
+    const auto report = [&](const Witness& what) {
+      mine.add(ViolationKind::missing_input_vertex, {input}, {points[i]}, "input point " + domain_number(i) + what);
     };
     if (vertex == no_index) {
       if (needed && !settled.contains(i)) report(" of the domain is not a vertex of the mesh");
     } else if (!(mesh.points[vertex] == points[i])) {
-      report(" was moved or renumbered: vertex " + to_text(subject.names.vertex(vertex)) + " is " +
+      report(" was moved or renumbered: vertex " + vertex_number(subject.names.vertex(vertex)) + " is " +
              to_text(mesh.points[vertex]));
     } else if (needed && !adjacency.has_triangle(vertex)) {
       report(" of the domain has no triangle");
@@ -92,7 +92,7 @@ InputVertices check_input_vertices(const Subject& subject, const Domain& domain,
     const auto vertex = static_cast<Index>(v);
     if (!adjacency.has_triangle(vertex) && inputs.input(vertex) == no_index)
       mine.add(ViolationKind::unused_vertex, {subject.names.vertex(vertex)}, {mesh.points[v]},
-               "vertex " + to_text(subject.names.vertex(vertex)) + " has no triangle and is not an input point");
+               "vertex " + vertex_number(subject.names.vertex(vertex)) + " has no triangle and is not an input point");
   });
   return inputs;
 }
@@ -101,11 +101,11 @@ namespace {
 
 void report_broken(Index s, const Subject& subject, const Domain& domain, Findings& found) {
   const Segment& segment = domain.segments()[s];
-  const std::string what = domain.is_hull_piece(s) ? "the hull edge" : "segment " + to_text(s);
+  const Witness what = domain.is_hull_piece(s) ? "the hull edge" : "segment " + domain_number(s);
   found.add(ViolationKind::broken_segment,
             domain.is_hull_piece(s) ? std::vector<Index>{segment.a, segment.b} : std::vector<Index>{s},
             {subject.pslg.points[segment.a], subject.pslg.points[segment.b]},
-            what + " from point " + to_text(segment.a) + " to " + to_text(segment.b) +
+            what + " from point " + domain_number(segment.a) + " to " + domain_number(segment.b) +
                 " is not covered by a chain of mesh edges within the rounding distance");
 }
 
@@ -121,7 +121,7 @@ void report_off_segment(const std::vector<ChainEdge>& chain, const Subject& subj
     const Index vertex = subject.names.vertex(chain[i].from);
     if (!exactly::line_offset_exceeds(p, a, b, tolerance)) continue;
     found.add(ViolationKind::chain_off_segment, {vertex, chain[i].segment}, {p},
-              "vertex " + to_text(vertex) + " on segment " + to_text(chain[i].segment) +
+              "vertex " + vertex_number(vertex) + " on segment " + domain_number(chain[i].segment) +
                   ": its squared distance from the segment is " + exactly::squared_line_distance_text(p, a, b) +
                   ", more than the square of " + to_text(allowed));
   }
@@ -139,14 +139,14 @@ Index met_by(const ChainEdge& edge, const Chains& chains, const InputVertices& i
 void report_meeting(const ChainEdge& edge, Index other, const Subject& subject, const Domain& domain, Findings& found) {
   const Index vertex = subject.names.vertex(edge.from);
   found.add(ViolationKind::chains_meet, {vertex, other, edge.segment}, {subject.mesh.points[edge.from]},
-            "vertex " + to_text(vertex) + " is no input point, but the edges on " + segment_text(domain, other) +
+            "vertex " + vertex_number(vertex) + " is no input point, but the edges on " + segment_text(domain, other) +
                 " and those on " + segment_text(domain, edge.segment) + " meet there");
 }
 
 }  // namespace
 
-std::string segment_text(const Domain& domain, Index segment) {
-  return domain.is_hull_piece(segment) ? "the hull" : "segment " + to_text(segment);
+Witness segment_text(const Domain& domain, Index segment) {
+  return domain.is_hull_piece(segment) ? "the hull" : "segment " + domain_number(segment);
 }
 
 Chains check_segments(const Subject& subject, const Domain& domain, const Adjacency& adjacency,

@@ -21,7 +21,7 @@ void check_orientation(const Subject& subject, const Scan& scan, Findings& found
       mine.keep({ViolationKind::degenerate_triangle,
                  subject.names.triangle_and_corners(t, triangle),
                  {a, b, c},
-                 "triangle " + to_text(subject.names.triangle(t)) +
+                 "triangle " + triangle_number(subject.names.triangle(t)) +
                      " is not counter-clockwise: twice its signed area is " + exactly::orientation_text(a, b, c)});
   });
 }
@@ -47,8 +47,8 @@ void check_reciprocity(const Subject& subject, Findings& found) {
         mine.keep({ViolationKind::wrong_neighbour,
                    {names.triangle(static_cast<Index>(t)), names.triangle(triangle.n[i])},
                    {mesh.points[from], mesh.points[to]},
-                   "triangle " + to_text(names.triangle(static_cast<Index>(t))) + " lists " +
-                       to_text(names.triangle(triangle.n[i])) + " as its neighbour across edge " +
+                   "triangle " + triangle_number(names.triangle(static_cast<Index>(t))) + " lists " +
+                       triangle_number(names.triangle(triangle.n[i])) + " as its neighbour across edge " +
                        names.edge_text(from, to) + ", but that triangle does not list it there"});
     }
   });
@@ -69,7 +69,7 @@ void check_lost_neighbours(const Subject& subject, const Adjacency& adjacency, F
     if (back == boundary.end() || back->from != edge.to || back->to != edge.from) continue;
     const Index left = names.triangle(edge.left.triangle), right = names.triangle(back->left.triangle);
     found.add(ViolationKind::wrong_neighbour, {left, right}, {mesh.points[edge.from], mesh.points[edge.to]},
-              "triangles " + to_text(left) + " and " + to_text(right) + " share edge " +
+              "triangles " + triangle_number(left) + " and " + triangle_number(right) + " share edge " +
                   names.edge_text(edge.from, edge.to) + " but are not neighbours");
   }
 }
@@ -84,8 +84,9 @@ void check_fans(Index vertex, const Subject& subject, const Adjacency& adjacency
   if (twice != ahead.end())
     found.add(ViolationKind::non_manifold_vertex, {subject.names.vertex(vertex), subject.names.vertex(*twice)},
               {subject.mesh.points[vertex]},
-              "vertex " + to_text(subject.names.vertex(vertex)) +
-                  " has two triangles on the left of its edge to vertex " + to_text(subject.names.vertex(*twice)));
+              "vertex " + vertex_number(subject.names.vertex(vertex)) +
+                  " has two triangles on the left of its edge to vertex " +
+                  vertex_number(subject.names.vertex(*twice)));
 }
 
 /// Reports a vertex if a walk around it does not reach all its triangles, or if check_fans() does. Precondition:
@@ -96,7 +97,7 @@ void walk_around_vertex(Index vertex, const Subject& subject, const Adjacency& a
   if (reached == adjacency.corners(vertex)) return check_fans(vertex, subject, adjacency, found);
   const Index name = subject.names.vertex(vertex);
   found.add(ViolationKind::non_manifold_vertex, {name}, {subject.mesh.points[vertex]},
-            "vertex " + to_text(name) + " has " + to_text(adjacency.corners(vertex)) +
+            "vertex " + vertex_number(name) + " has " + to_text(adjacency.corners(vertex)) +
                 " triangles, but a walk around it from its boundary edges reaches " + to_text(reached));
 }
 
@@ -167,10 +168,10 @@ void report_non_manifold(const Subject& subject, std::span<const NonManifoldEdge
   std::sort(duplicates.begin(), duplicates.end());
   duplicates.erase(std::unique(duplicates.begin(), duplicates.end()), duplicates.end());
   for (const auto& [s, t] : duplicates)
-    found.add(
-        ViolationKind::duplicate_triangle, {names.triangle(s), names.triangle(t)},
-        {mesh.points[mesh.triangles[s].v[0]]},
-        "triangles " + to_text(names.triangle(s)) + " and " + to_text(names.triangle(t)) + " have the same corners");
+    found.add(ViolationKind::duplicate_triangle, {names.triangle(s), names.triangle(t)},
+              {mesh.points[mesh.triangles[s].v[0]]},
+              "triangles " + triangle_number(names.triangle(s)) + " and " + triangle_number(names.triangle(t)) +
+                  " have the same corners");
 }
 
 bool lacks_neighbours(const Subject& subject) {

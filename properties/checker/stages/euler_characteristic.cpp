@@ -239,8 +239,8 @@ void check_euler(const Subject& subject, const Adjacency& adjacency, Findings& f
     const auto [characteristic, loops] = surface.component_of(t);
     if (characteristic == 2 - loops) continue;
     found.add(ViolationKind::euler_characteristic, {t}, {subject.corner(adjacency.triangles()[t], 0)},
-              "the component of triangle " + to_text(t) + " has V - E + F = " + to_text(characteristic) + " and " +
-                  to_text(loops) + " boundary loops, which do not sum to 2");
+              "the component of triangle " + triangle_number(t) + " has V - E + F = " + to_text(characteristic) +
+                  " and " + to_text(loops) + " boundary loops, which do not sum to 2");
   }
 }
 

@@ -26,7 +26,7 @@ class Findings {
   void keep(Violation violation) { kept_.push_back(std::move(violation)); }
 
   /// Counts a violation and keeps it if the list has room. Use it if the description is cheap or rarely needed.
-  void add(ViolationKind kind, std::vector<Index> ids, std::vector<Point> where, std::string witness) {
+  void add(ViolationKind kind, std::vector<Index> ids, std::vector<Point> where, Witness witness) {
     if (admit(kind)) keep({kind, std::move(ids), std::move(where), std::move(witness)});
   }
 

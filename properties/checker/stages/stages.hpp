@@ -78,7 +78,7 @@ void check_boundary_vertices(const Subject& subject, Adjacency& adjacency, Findi
 [[nodiscard]] Chains check_segments(const Subject& subject, const Domain& domain, const Adjacency& adjacency,
                                     const InputVertices& inputs, const Scan& scan, Findings& found);
 /// "segment 7", or "the hull" for a piece of the hull.
-[[nodiscard]] std::string segment_text(const Domain& domain, Index segment);
+[[nodiscard]] Witness segment_text(const Domain& domain, Index segment);
 /// The part of check_segments() on the order around input points.
 void check_chain_order(const Subject& subject, const Domain& domain, const Chains& chains, const InputVertices& inputs,
                        Findings& found);

@@ -351,7 +351,7 @@ TEST(Check, reports_a_triangle_outside_the_outline) {
   EXPECT_TRUE(reports(certificate, Kind::covered_exterior));
   const auto areas = std::ranges::find(certificate.violations, Kind::area_mismatch, &Violation::kind);
   ASSERT_NE(areas, certificate.violations.end());
-  EXPECT_EQ(areas->witness,
+  EXPECT_EQ(areas->witness.text(),
             "the triangles' areas sum to 1.5, the area within the boundary is 1; the exact difference rounds to 0.5");
 }
 
@@ -659,7 +659,7 @@ TEST(Check, reports_the_triangles_for_which_the_size_function_has_no_answer) {
   const Certificate certificate = check(c, goal);
   EXPECT_TRUE(reports_only(certificate, Kind::size_exceeded));
   EXPECT_EQ(count(certificate, Kind::size_exceeded), 1u);
-  EXPECT_NE(certificate.violations.at(0).witness.find("threw an exception"), std::string::npos);
+  EXPECT_NE(certificate.violations.at(0).witness.text().find("threw an exception"), std::string::npos);
 }
 
 TEST(Check, allows_edges_that_are_longer_than_the_length_limited_by_grading_by_64_units_in_the_last_place) {

@@ -17,6 +17,7 @@
 #include "../../../properties/domains/domains.hpp"
 #include "../../../properties/domains/generators/goals.hpp"
 #include "../../fingerprint.hpp"
+#include "numbers_in_sentences.hpp"
 
 namespace pardel {
 namespace {
@@ -52,6 +53,7 @@ std::string to_eight_digits(double value) {
 }
 
 void add(Fingerprint& all, const Certificate& c) {
+  testing::expect_numbers_of_files(c);
   all.add_all(c.valid, c.cancelled, c.violation_counts, c.vertices, c.triangles, c.constrained_edges, c.region_caps);
   for (const Violation& v : c.violations) all.add_all(v.kind, v.ids, v.where, words(v.message()));
   for (const Justified& j : c.justified)

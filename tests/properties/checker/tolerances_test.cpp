@@ -308,7 +308,7 @@ PARDEL_FACT(Tolerance, of_seeds_of_holes_ends_at_the_tolerance_of_chains,
     ++facts.cases;
     const Certificate certificate = check_at(c, 0);
     return std::ranges::count_if(certificate.violations, [](const Violation& v) {
-      return v.kind == Kind::covered_exterior && v.witness.find("contains the seed") != std::string::npos;
+      return v.kind == Kind::covered_exterior && v.witness.text().find("contains the seed") != std::string::npos;
     });
   };
   EXPECT_EQ(reported(2 * unit), 0);

@@ -11,6 +11,7 @@
 
 #include "../../../properties/checker/check.hpp"
 #include "meshes.hpp"
+#include "numbers_in_sentences.hpp"
 
 namespace pardel::checker {
 namespace {
@@ -18,10 +19,11 @@ namespace {
 using testing::Case;
 using testing::no_angle_bound;
 
-/// The messages of all violations, one to a line.
+/// The messages of all violations, one to a line. Each can also be said with the numbers of files.
 std::string said(const Certificate& certificate) {
   std::string text;
   for (const Violation& violation : certificate.violations) text += violation.message() + '\n';
+  testing::expect_numbers_of_files(certificate);
   return text;
 }
 std::string said_about(const Case& c, const Goal& goal = no_angle_bound(), const CheckOptions& options = {}) {
@@ -453,7 +455,8 @@ TEST(Violations, of_input_that_cannot_be_used_are_the_only_ones) {
       c.pslg.points[point].x = value;
       const Certificate certificate = check(c);
       ASSERT_EQ(certificate.violations.size(), 1u) << said(certificate);
-      EXPECT_EQ(certificate.violations[0].witness, "point " + std::to_string(point) + " of the input is not finite");
+      EXPECT_EQ(certificate.violations[0].witness.text(),
+                "point " + std::to_string(point) + " of the input is not finite");
       EXPECT_EQ(certificate.angle_histogram, std::vector<std::uint64_t>(18, 0)) << "no angle was measured";
     }
 }
@@ -818,7 +821,8 @@ TEST(Violations, of_sizes_name_the_longest_edge_wherever_it_stands) {
     goal.size = [](Point) { return 1.0; };
     const Certificate certificate = check(c, goal);
     ASSERT_EQ(certificate.violations.size(), 1u);
-    EXPECT_EQ(certificate.violations[0].witness, "triangle 0 has an edge of length 5 > 1, the size at its centroid");
+    EXPECT_EQ(certificate.violations[0].witness.text(),
+              "triangle 0 has an edge of length 5 > 1, the size at its centroid");
   }
 }
 

@@ -1,6 +1,5 @@
-// The checker counts from 0; its sentences get the numbers of the files. Each kind of sentence that names something is
-// here.
-#include "../../cli/numbers_of_files.hpp"
+// Witnesses with the numbers of files.
+#include "../../../properties/checker/witness.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,25 +7,72 @@
 #include <utility>
 #include <vector>
 
-namespace pardel::cli {
+#include "../../../properties/checker/certificate.hpp"
+#include "../../../properties/checker/model/numbering.hpp"
+#include "numbers_in_sentences.hpp"
+
+namespace pardel::checker {
 namespace {
+
+using testing::in_sentence;
+using testing::numbers_of_some_file;
+
+TEST(Witness, has_the_numbers_that_it_is_asked_for) {
+  const Witness witness = "edge " + edge_text(1, 2) + " of triangle " + triangle_number(3) + " has length " +
+                          std::string("2") + ", on segment " + domain_number(0);
+  EXPECT_EQ(witness.text(), "edge 1-2 of triangle 3 has length 2, on segment 0");
+  EXPECT_EQ(witness.text({.first_of_domain = 1, .first_triangle = 5, .first_vertex = 10}),
+            "edge 11-12 of triangle 8 has length 2, on segment 1");
+  EXPECT_EQ(witness.text(numbers_of_some_file(9)), "edge 107-114 of triangle 4 has length 2, on segment 9");
+}
+
+TEST(Witness, may_be_empty_or_begin_with_a_number) {
+  EXPECT_TRUE(Witness().empty());
+  EXPECT_EQ((Witness() + "" + Witness()).text(), "");
+  EXPECT_FALSE(vertex_number(4).empty());
+  EXPECT_EQ((vertex_number(4) + vertex_number(5) + "!").text({.first_vertex = 1}), "56!");
+}
+
+TEST(Witness, can_be_taken_apart_and_put_together) {
+  const Witness witness = "vertex " + vertex_number(2) + " and triangle " + triangle_number(7);
+  const Witness same(witness.words(), witness.numbers());
+  EXPECT_EQ(same.text(numbers_of_some_file()), "vertex 114 and triangle 8");
+}
+
+/// Files count from 0 or 1, so a number may be one more than the largest index.
+TEST(Witness, names_vertices_without_an_own_number_by_the_first_one) {
+  const std::vector<std::uint64_t> numbers{50, 60};
+  const Witness witness = "edge " + edge_text(1, 2) + ", vertex " + vertex_number(no_index);
+  EXPECT_EQ(witness.text({.first_vertex = 1, .vertices = numbers}), "edge 60-3, vertex 4294967296");
+}
+
+TEST(Violation, has_no_ids_in_a_message_with_the_numbers_of_files) {
+  const Violation violation{
+      ViolationKind::unused_vertex, {2}, {{1, 2}, {3, 4}}, "vertex " + vertex_number(2) + " is here"};
+  EXPECT_EQ(violation.message(), "unused_vertex: vertex 2 is here [ids 2] at (1, 2), (3, 4)");
+  EXPECT_EQ(violation.message(numbers_of_some_file()), "unused_vertex: vertex 114 is here at (1, 2), (3, 4)");
+}
+
+TEST(Certificate, has_the_numbers_of_files_in_its_summary) {
+  Certificate certificate;
+  certificate.region_caps = {0.5, 1};
+  certificate.min_angle_deg = {45, 0, {1, 2}};
+  certificate.justified = {{0, 3, 10, 5}, {1, 3, 10, 5}};
+  const std::string text = summary_text(certificate, numbers_of_some_file());
+  for (const char* part : {"areas up to 0.5 in region 1, 1 in region 2",
+                           "  smallest angle            45            triangle 1 at (1, 2)\n",
+                           "2 triangles below the angle bound, justified by small input angles\n"
+                           "  at point 4: 2, down to 5 degrees"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
+  EXPECT_NE(summary_text(certificate).find("triangle 0 at (1, 2)"), std::string::npos);
+}
 
 using Pairs = std::vector<std::pair<std::string, std::string>>;
 
-Mesh ten_points() {
-  Mesh mesh;
-  mesh.points.resize(10);
-  return mesh;
-}
-
-/// Vertices are 100, 107, 114, ...; triangles and what the domain has count from 1.
-TEST(NumbersOfFiles, stand_in_all_sentences_of_the_checker) {
-  Mesh mesh = ten_points();
-  mesh.first_id = {1};
-  for (std::uint64_t v = 0; v < 10; ++v) mesh.numbers.of_points.push_back(100 + 7 * v);
-  const NumbersOfFiles numbers(FirstId{1}, mesh);
+/// One sentence of each kind. violation_test.cpp and recorded_checks_test.cpp compare all witnesses with in_sentence().
+TEST(NumbersInSentences, are_found_by_the_words_before_them) {
   for (
-      const auto& [checker, file] : Pairs{
+      const auto& [said, file] : Pairs{
           {"triangle 3: angle 34.9° is below 40°", "triangle 4: angle 34.9° is below 40°"},
           {"triangle 3: area 3 is above 1", "triangle 4: area 3 is above 1"},
           {"edge 1-2 of triangle 3: length 2 is above 1", "edge 107-114 of triangle 4: length 2 is above 1"},
@@ -96,30 +142,15 @@ TEST(NumbersOfFiles, stand_in_all_sentences_of_the_checker) {
           {"the triangles' areas sum to 3, the area within the boundary is 4; the exact difference rounds to 1",
            "the triangles' areas sum to 3, the area within the boundary is 4; the exact difference rounds to 1"},
           {"point attributes: 5 entries instead of 4", "point attributes: 5 entries instead of 4"},
-          {"  smallest angle            45            triangle 0 at (1, 2)\n  equilateral triangles     0\nangles",
-           "  smallest angle            45            triangle 1 at (1, 2)\n  equilateral triangles     0\nangles"},
-          {"3 triangles below the angle bound, justified by small input angles\n  at point 3: 2, down to 5 degrees",
-           "3 triangles below the angle bound, justified by small input angles\n  at point 4: 2, down to 5 degrees"},
+          {"constrained edge 5 (1-2) lists segment 2 but is part of 0",
+           "constrained edge 5 (107-114) lists segment 3 but is part of 1"},
+          {"constrained edge 5 refers to a segment that does not exist",
+           "constrained edge 5 refers to a segment that does not exist"},
+          {"vertex 8 is listed as on segment 4 but is on segment 5",
+           "vertex 156 is listed as on segment 5 but is on segment 6"},
           {"", ""}})
-    EXPECT_EQ(numbers.in_sentence(checker), file);
-}
-
-TEST(NumbersOfFiles, count_from_0_where_the_mesh_has_none) {
-  const Mesh mesh = ten_points();
-  const std::string sentence = "edge 1-2 of triangle 3 of segment 4";
-  EXPECT_EQ(NumbersOfFiles(FirstId{0}, mesh).in_sentence(sentence), sentence);
-  EXPECT_EQ(NumbersOfFiles(FirstId{0}).in_sentence(sentence), sentence);
-  EXPECT_EQ(NumbersOfFiles(FirstId{1}).in_sentence(sentence), "edge 1-2 of triangle 3 of segment 5");
-}
-
-/// A reader guarantees that corners exist; the checker also reports those that do not.
-TEST(NumbersOfFiles, of_vertices_that_do_not_exist_stay) {
-  Mesh mesh = ten_points();
-  mesh.first_id = {1};
-  EXPECT_EQ(NumbersOfFiles(FirstId{0}, mesh).in_sentence("vertex 9, vertex 10"), "vertex 10, vertex 10");
-  EXPECT_EQ(NumbersOfFiles(FirstId{0}, mesh).in_sentence("vertex 99999999999999999999999"),
-            "vertex 99999999999999999999999");
+    EXPECT_EQ(in_sentence(said, numbers_of_some_file()), file);
 }
 
 }  // namespace
-}  // namespace pardel::cli
+}  // namespace pardel::checker
