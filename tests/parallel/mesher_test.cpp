@@ -300,10 +300,10 @@ TEST(SizeOnAMesh, names_what_is_wrong_with_its_mesh) {
   EXPECT_EQ(message(empty), "the mesh of the sizes has no triangles");
   Mesh beyond = two_triangles();
   beyond.triangles[1].v[2] = 4;
-  EXPECT_EQ(message(beyond), "triangle 1 of the mesh of the sizes has a corner that does not exist");
+  EXPECT_EQ(message(beyond), "triangle 1 of the mesh of the sizes (vertices 0, 3, 4) has a corner that does not exist");
   Mesh flat = two_triangles();
   flat.triangles[1].v[1] = 0;
-  EXPECT_EQ(message(flat), "triangle 1 of the mesh of the sizes is flat");
+  EXPECT_EQ(message(flat), "triangle 1 of the mesh of the sizes (vertices 0, 0, 2) is flat");
 }
 
 TEST(Mesher, keeps_the_attributes_of_points_and_interpolates_them_for_new_ones) {
