@@ -150,8 +150,7 @@ double twice_area_of(const DomainTriangulation& domain) {
 /// The number of different values.
 std::size_t distinct(std::vector<Index> values) {
   std::ranges::sort(values);
-  const auto rest = std::ranges::unique(values);
-  return static_cast<std::size_t>(rest.begin() - values.begin());
+  return static_cast<std::size_t>(std::unique(values.begin(), values.end()) - values.begin());
 }
 
 }  // namespace
