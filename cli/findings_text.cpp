@@ -122,11 +122,15 @@ bool is_of_a_point(ViolationKind kind) {
   return kind == ViolationKind::missing_input_vertex || kind == ViolationKind::chain_off_segment;
 }
 
-std::string note_on_numbers(std::span<const std::filesystem::path> outputs, std::optional<MeshFormat> of_stream) {
-  const bool is_grouped = format_of_output(outputs.front(), of_stream) == MeshFormat::msh;
+std::string note_on_numbers(std::span<const std::filesystem::path> outputs, std::optional<MeshFormat> of_stream,
+                            bool is_in_pieces) {
+  const char* triangles = "";
+  if (is_in_pieces)
+    triangles = "; triangles count from the pieces of the first rank on, and may have another order in the file";
+  else if (format_of_output(outputs.front(), of_stream) == MeshFormat::msh)
+    triangles = "; triangles count from 1, not yet grouped by region as in a .msh";
   return fmt::format("\nnote    numbers are those of {}, or count from 0 where it has none{}; --json counts from 0",
-                     outputs.front().string(),
-                     is_grouped ? "; triangles count from 1, not yet grouped by region as in a .msh" : "");
+                     outputs.front().string(), triangles);
 }
 
 }  // namespace
@@ -164,11 +168,12 @@ std::string findings_text(const Certificate& certificate, std::string_view all_i
 }
 
 std::string check_message(const Certificate& certificate, bool goal_met, FirstId of_domain,
-                          std::span<const std::filesystem::path> outputs, std::optional<MeshFormat> of_stream) {
+                          std::span<const std::filesystem::path> outputs, std::optional<MeshFormat> of_stream,
+                          bool is_in_pieces) {
   const bool expected = !goal_met && only_bounds_missed(certificate);
   return (expected ? ": the check found missed bounds only\n" : ": the check found violations\n") +
          findings_text(certificate, "the report of --json", numbers_of_outputs(of_domain, outputs, of_stream)) +
-         note_on_numbers(outputs, of_stream);
+         note_on_numbers(outputs, of_stream, is_in_pieces);
 }
 
 }  // namespace pardel::cli

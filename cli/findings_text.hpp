@@ -26,9 +26,9 @@ namespace pardel::cli {
 
 /// What follows the name of the input after the check of a mesh that `pardel mesh` has made: that the violations are
 /// missed bounds only, if the mesher knows that it has missed some, and the findings with the numbers of the first
-/// output. Precondition: it is not valid.
+/// output. `is_in_pieces`: ranks have made it, each its triangles. Precondition: it is not valid.
 [[nodiscard]] std::string check_message(const Certificate& certificate, bool goal_met, FirstId of_domain,
                                         std::span<const std::filesystem::path> outputs,
-                                        std::optional<MeshFormat> of_stream = {});
+                                        std::optional<MeshFormat> of_stream = {}, bool is_in_pieces = false);
 
 }  // namespace pardel::cli

@@ -431,7 +431,7 @@ ExitCode verdict(const Run& run) {
   const auto& certificate = run.report.certificate;
   const bool goal_met = run.report.exempt.missed() == 0;
   if (certificate && !certificate->valid && run.job.is_first())
-    warn(name + check_message(*certificate, goal_met, run.first_id, run.arguments.outputs), program);
+    warn(name + check_message(*certificate, goal_met, run.first_id, run.arguments.outputs, {}, true), program);
   if (!goal_met && run.job.is_first())
     warn(name + ": " + missed_bounds(run.report.exempt, "one rank", "--json"), program);
   return code_of(certificate, goal_met);

@@ -10,14 +10,25 @@
 
 namespace pardel {
 
+namespace {
+
+std::string millions(double number) { return shortest(std::round(number / 1e5) / 10) + " million"; }
+
+/// Larger estimates may be too small (quality/estimates.hpp).
+std::string about(double number) {
+  constexpr double largest = 1e12;
+  return number < largest ? "about " + millions(number) : "more than a million million";
+}
+
+}  // namespace
+
 std::string LeastSize::message() const {
-  const auto millions = [](double number) { return shortest(std::round(number / 1e5) / 10) + " million"; };
   std::string text;
   if (names_narrow_part()) text = "The domain is only " + shortest(width) + " wide at " + shortest(where) + ". ";
   if (is_of_narrow_parts())
     return text + "With such narrow parts and this smallest angle, the mesh needs at least " + millions(triangles) +
-           " triangles, and usually has about " + millions(expected) + ".";
-  return text + "With these bounds on sizes, the mesh will have about " + millions(expected) + " triangles.";
+           " triangles, and usually has " + about(expected) + ".";
+  return text + "With these bounds on sizes, the mesh will have " + about(expected) + " triangles.";
 }
 
 Result<LeastSize> least_size(const ValidPslg& domain, double min_angle_deg, double min_edge, int threads) try {

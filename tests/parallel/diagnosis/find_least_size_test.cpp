@@ -53,6 +53,14 @@ TEST(LeastSize, of_a_plate_of_a_billionth_is_hundreds_of_millions_and_names_the_
             "needs at least 377.9 million triangles, and usually has about 831.3 million.");
 }
 
+TEST(LeastSize, names_no_number_that_is_too_large_to_be_estimated) {
+  LeastSize size;
+  size.expected = 4e12;
+  EXPECT_EQ(size.message(), "With these bounds on sizes, the mesh will have more than a million million triangles.");
+  size.expected = 4e9;
+  EXPECT_EQ(size.message(), "With these bounds on sizes, the mesh will have about 4000 million triangles.");
+}
+
 TEST(LeastSize, counts_only_the_part_where_segments_face_each_other) {
   // A short tooth comes close to the lower side: its tip is 1e-4 wide.
   const Pslg tooth = polygon({{0, 0}, {1, 0}, {1, 1}, {0.50005, 1e-8}, {0.49995, 1e-8}, {0, 1}});
