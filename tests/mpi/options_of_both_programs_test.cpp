@@ -460,8 +460,7 @@ TEST_F(BothPrograms, warn_of_very_many_triangles) {
       const Ran ran = ranks == 0 ? pardel(all) : on_ranks(ranks, all);
       EXPECT_EQ(ran.exit_code, 5) << ran;
       const std::string program = ranks == 0 ? "pardel" : "pardel-mpi";
-      const std::string warning =
-          program + ": pipe.poly: warning: With these bounds on sizes, the mesh will have about ";
+      const std::string warning = program + ": pipe.poly: warning: With these bounds on sizes, the mesh will have ";
       const std::size_t at = ran.err.find(warning);
       EXPECT_NE(at, std::string::npos) << ran;
       EXPECT_EQ(ran.err.find(warning, at + 1), std::string::npos) << "one rank warns\n" << ran;
