@@ -8,24 +8,13 @@
 #include <vector>
 
 #include "../core/support/name_of_triangle.hpp"
-#include "../parallel/mesher.hpp"
 #include "../parallel/validate.hpp"
+#include "around_mesh.hpp"
 #include "centroid.hpp"
 #include "faces.hpp"
 
 namespace pardel::cli {
 namespace {
-
-/// The edges that belong to exactly one triangle. Each is directed so that this triangle lies to its left.
-std::vector<Segment> boundary(const Mesh& mesh) {
-  std::vector<Segment> edges;
-  for (const Triangle& t : mesh.triangles) {
-    for (int i = 0; i < 3; ++i) {
-      if (t.n[i] == no_index) edges.push_back({side(t, i).from, side(t, i).to, 1});
-    }
-  }
-  return edges;
-}
 
 /// One region per face whose triangles have an attribute. None at all if the triangles of a face have different
 /// attributes: then attributes do not describe faces.
@@ -42,24 +31,6 @@ std::vector<Region> region_seeds(const Mesh& mesh, const EdgeSet& walls) {
     regions.push_back({.seed = centroid(mesh, mesh.triangles[t]), .attribute = mesh.region_attributes[mesh.region[t]]});
   }
   return regions;
-}
-
-/// The boundary edges and their vertices, renumbered.
-Pslg outline_of(const Mesh& mesh) {
-  Pslg outline;
-  std::vector<Index> number(mesh.points.size(), no_index);
-  const auto renumbered = [&](Index v) {
-    if (number[v] == no_index) {
-      number[v] = static_cast<Index>(outline.points.size());
-      outline.points.push_back(mesh.points[v]);
-    }
-    return number[v];
-  };
-  for (const Segment& edge : boundary(mesh)) {
-    const Index a = renumbered(edge.a);
-    outline.segments.push_back({a, renumbered(edge.b)});
-  }
-  return outline;
 }
 
 /// The triangles at the boundary edges of a problem, one of which overlaps others, each after a line break.
@@ -96,44 +67,28 @@ Error with_numbers_of(const Mesh& mesh, const Error& of_outline) {
               triangles_at(mesh, problems.front())};
 }
 
-/// A point in each hole. Triangulates the convex hull of the outline. A face that lies to the right of an outline edge
-/// is not covered by the mesh. Such a face is a hole, unless it reaches the hull: then it belongs to the exterior.
+/// A point in each hole: in each face of the convex hull of the boundary that the mesh does not cover, unless it
+/// reaches the hull. Then it belongs to the exterior.
 Result<std::vector<Point>> hole_seeds(const Mesh& mesh) {
-  const Pslg outline = outline_of(mesh);
+  const Pslg outline = part_of(mesh, boundary(mesh));
   if (outline.segments.empty()) return std::vector<Point>();
-  const Result<Meshed> hull = triangulate(outline, true);
-  if (!hull) return with_numbers_of(mesh, hull.error());
-  const Mesh& around = hull.value().mesh;
-  EdgeSet walls{outline.segments};
-  walls.finish();
-  const std::vector<Index> face = faces(around, walls);
-  const std::vector<Index> best = largest(around, face);
-
-  const std::vector<char> is_open = open_faces(around, walls, face, best.size());
-  std::vector<char> uncovered(best.size(), 0);
-  const auto directed = [](const Segment& s, const Segment& t) { return std::pair(s.a, s.b) < std::pair(t.a, t.b); };
-  std::vector<Segment> forwards = outline.segments;
-  std::sort(forwards.begin(), forwards.end(), directed);
-  for (Index t = 0; t < face.size(); ++t) {
-    for (int i = 0; i < 3; ++i) {
-      const auto [from, to] = side(around.triangles[t], i);
-      if (std::binary_search(forwards.begin(), forwards.end(), Segment{to, from}, directed)) uncovered[face[t]] = 1;
-    }
-  }
+  const Result<AroundMesh> around = around_mesh(outline, outline.segments.size());
+  if (!around) return with_numbers_of(mesh, around.error());
   std::vector<Point> seeds;
-  for (std::size_t f = 0; f < best.size(); ++f) {
-    if (uncovered[f] != 0 && is_open[f] == 0) seeds.push_back(centroid(around, around.triangles[best[f]]));
-  }
+  for (std::size_t f = 0; f < around->best.size(); ++f)
+    if (around->is_bare[f] != 0 && around->is_out[f] == 0)
+      seeds.push_back(centroid(around->hull, around->hull.triangles[around->best[f]]));
   return seeds;
 }
 
 }  // namespace
 
-Status check_nodes_of_boundary(const Mesh& mesh) {
-  std::vector<Point> points = outline_of(mesh).points;
-  std::ranges::sort(points, {}, [](Point p) { return std::pair(p.x, p.y); });
-  if (std::ranges::adjacent_find(points) == points.end()) return Done{};
-  return with_numbers_of(mesh, {ErrorKind::invalid_input, "two nodes of the boundary are at one place"});
+Status check_boundary(const Mesh& mesh) {
+  const Pslg outline = part_of(mesh, boundary(mesh));
+  if (outline.segments.empty()) return Done{};
+  const Result<ValidPslg, std::vector<Problem>> valid = validate(outline, {.convex_hull = true});
+  if (!valid) return with_numbers_of(mesh, {ErrorKind::invalid_input, messages(valid.error())});
+  return Done{};
 }
 
 Result<Pslg> domain_of(const Mesh& mesh) {

@@ -12,8 +12,9 @@ namespace pardel::cli {
 /// face have different attributes, there are no regions. Time O(n log n).
 [[nodiscard]] Result<Pslg> domain_of(const Mesh& mesh);
 
-/// Error: `invalid_input`, with the numbers of the file, if two nodes of the boundary are at one place: triangles that
-/// should share an edge or a node do not. domain_of() refuses such a mesh, too. Time O(n log n).
-[[nodiscard]] Status check_nodes_of_boundary(const Mesh& mesh);
+/// Error: `invalid_input`, with the numbers of the file, if two nodes of the boundary are at one place, a node lies on
+/// an edge of the boundary, or two such edges cross: triangles overlap, or should share an edge or a node and do not.
+/// domain_of() refuses such a mesh, too. Time O(n log n).
+[[nodiscard]] Status check_boundary(const Mesh& mesh);
 
 }  // namespace pardel::cli

@@ -108,7 +108,7 @@ Result<CoarseMesh> read_coarse_mesh(const fs::path& file) {
     Result<FollowedEdges> along = follow_edges(*mesh);
     if (!along) return with_name(along.error(), file.string());
     followed = *along;
-  } else if (Status single = check_nodes_of_boundary(*mesh); !single) {  // the .poly does not tell
+  } else if (Status single = check_boundary(*mesh); !single) {
     return with_name(single.error(), file.string());
   }
   Result<Pslg> domain = domain_or_outline(std::move(*poly), file, *mesh);
