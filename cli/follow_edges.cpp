@@ -12,6 +12,8 @@
 #include "../core/support/used_vertices.hpp"
 #include "../parallel/validate.hpp"
 #include "faces.hpp"
+#include "lines_in_holes.hpp"
+#include "plural.hpp"
 
 namespace pardel::cli {
 namespace {
@@ -66,17 +68,16 @@ std::vector<std::vector<Index>> nodes_inside(const Mesh& mesh, const std::vector
   return inside;
 }
 
-/// The edges of triangles along the line; empty if it leaves them.
-std::vector<ConstrainedEdge> chain_of(const ConstrainedEdge& line, std::vector<Index> inside, const EdgeSet& edges) {
-  std::vector<ConstrainedEdge> chain;
-  inside.push_back(line.b);
+/// The line, cut at the nodes inside it.
+std::vector<ConstrainedEdge> pieces_of(const ConstrainedEdge& line, const std::vector<Index>& inside) {
+  std::vector<ConstrainedEdge> pieces;
   Index from = line.a;
   for (const Index to : inside) {
-    if (!edges.contains(from, to)) return {};
-    chain.push_back({from, to, line.segment, line.marker});
+    pieces.push_back({from, to, line.segment, line.marker});
     from = to;
   }
-  return chain;
+  pieces.push_back({from, line.b, line.segment, line.marker});
+  return pieces;
 }
 
 Error no_edges(const Mesh& mesh, const std::vector<ConstrainedEdge>& lines) {
@@ -93,21 +94,38 @@ Error no_edges(const Mesh& mesh, const std::vector<ConstrainedEdge>& lines) {
 
 }  // namespace
 
-Result<FollowedEdges> follow_edges(Mesh& mesh) {
+Result<FollowedEdges> follow_edges(Mesh& mesh, const Pslg* domain) {
   const std::vector<ConstrainedEdge> lines = lines_apart(mesh);
   if (lines.empty()) return FollowedEdges{};
   const EdgeSet edges = edges_of_triangles(mesh);
-  std::vector<std::vector<Index>> inside = nodes_inside(mesh, lines);
-  std::vector<ConstrainedEdge> chains, wrong;
+  const std::vector<std::vector<Index>> inside = nodes_inside(mesh, lines);
+  std::vector<ConstrainedEdge> cut = mesh.constrained_edges;
+  std::erase_if(cut, [&](const ConstrainedEdge& edge) { return !edges.contains(edge.a, edge.b); });
+  FollowedEdges followed;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    const std::vector<ConstrainedEdge> chain = chain_of(lines[i], std::move(inside[i]), edges);
-    if (chain.empty()) wrong.push_back(lines[i]);
-    chains.insert(chains.end(), chain.begin(), chain.end());
+    const std::vector<ConstrainedEdge> pieces = pieces_of(lines[i], inside[i]);
+    cut.insert(cut.end(), pieces.begin(), pieces.end());
+    if (pieces.size() == 1) continue;
+    ++followed.lines;
+    followed.edges += pieces.size();
   }
+  const EdgeSet in_holes = domain != nullptr ? lines_in_holes(mesh, cut, domain->holes) : EdgeSet{};
+  std::vector<ConstrainedEdge> wrong;
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    if (!std::ranges::all_of(pieces_of(lines[i], inside[i]), [&](const ConstrainedEdge& piece) {
+          return edges.contains(piece.a, piece.b) || in_holes.contains(piece.a, piece.b);
+        }))
+      wrong.push_back(lines[i]);
   if (!wrong.empty()) return no_edges(mesh, wrong);
-  std::erase_if(mesh.constrained_edges, [&](const ConstrainedEdge& edge) { return !edges.contains(edge.a, edge.b); });
-  mesh.constrained_edges.insert(mesh.constrained_edges.end(), chains.begin(), chains.end());
-  return FollowedEdges{lines.size(), chains.size()};
+  mesh.constrained_edges = std::move(cut);
+  return followed;
+}
+
+std::string note_about(const FollowedEdges& followed) {
+  const auto [lines, edges] = followed;
+  if (lines == 0) return {};
+  return fmt::format("note: {} through further nodes {} taken as {} edges", plural(lines, "constrained edge"),
+                     lines == 1 ? "is" : "are", edges);
 }
 
 }  // namespace pardel::cli

@@ -14,7 +14,9 @@
 #include "domain_of_mesh.hpp"
 #include "domain_or_mesh.hpp"
 #include "exit_code.hpp"
+#include "faces.hpp"
 #include "follow_edges.hpp"
+#include "plural.hpp"
 #include "read_geojson.hpp"
 #include "suffix.hpp"
 
@@ -32,16 +34,24 @@ long long first_number(std::istream& in, long long fallback) {
   return fallback;
 }
 
+struct PolyBeside {
+  std::optional<Pslg> pslg;  ///< none if there is no .poly, or an unused one
+  std::string note;          ///< why it is not used
+};
 /// The .poly beside a mesh in Triangle's files, if it has as many points as the mesh.
-Result<std::optional<Pslg>> poly_beside(const fs::path& file, const Mesh& mesh) {
+Result<PolyBeside> poly_beside(const fs::path& file, const Mesh& mesh) {
   const fs::path poly = fs::path(file).replace_extension(".poly");
   const bool triangle_files = file.extension() == ".node" || file.extension() == ".ele";
   std::error_code ignored;
-  if (!triangle_files || !fs::exists(poly, ignored)) return std::optional<Pslg>();
+  if (!triangle_files || !fs::exists(poly, ignored)) return PolyBeside{};
   Result<Pslg> pslg = read_pslg(poly);
   if (!pslg) return pslg.error();
-  if (pslg->points.size() != mesh.points.size()) return std::optional<Pslg>();
-  return std::optional<Pslg>(std::move(*pslg));
+  if (pslg->points.size() == mesh.points.size()) return PolyBeside{std::move(*pslg), {}};
+  if (!has_own_points(poly)) return PolyBeside{};  // read_mesh() has read its segments
+  return PolyBeside{
+      {},
+      fmt::format("{}: note: not used, because it has {} for a mesh with {}", poly.string(),
+                  plural(pslg->points.size(), "point"), plural(mesh.points.size(), "vertex", "vertices"))};
 }
 
 /// The .poly, or else the outline of the mesh.
@@ -50,6 +60,14 @@ Result<Pslg> domain_or_outline(std::optional<Pslg> poly, const fs::path& file, c
   Result<Pslg> outline = domain_of(mesh);
   if (!outline) return with_name(outline.error(), file.string());
   return outline;
+}
+
+/// The edges of the mesh as segments, each once.
+std::vector<Segment> edges_as_segments(const Mesh& mesh) {
+  EdgeSet all;
+  for (const ConstrainedEdge& edge : mesh.constrained_edges) all.edges.push_back({edge.a, edge.b, edge.marker});
+  all.finish();
+  return std::move(all.edges);
 }
 
 Error no_domain(const fs::path& file) {
@@ -92,28 +110,28 @@ Result<Domain> read_domain(const fs::path& file) {
 }
 
 Result<Pslg> domain_with(const fs::path& file, const Mesh& mesh) {
-  Result<std::optional<Pslg>> poly = poly_beside(file, mesh);
+  Result<PolyBeside> poly = poly_beside(file, mesh);
   if (!poly) return poly.error();
-  return domain_or_outline(std::move(*poly), file, mesh);
+  return domain_or_outline(std::move(poly->pslg), file, mesh);
 }
 
 Result<CoarseMesh> read_coarse_mesh(const fs::path& file) {
   Result<Mesh> mesh = read_mesh(file);
   if (!mesh) return mesh.error();
-  Result<std::optional<Pslg>> poly = poly_beside(file, *mesh);
-  if (!poly) return poly.error();
-  const bool is_outline = !poly->has_value();
-  FollowedEdges followed;
-  if (is_outline) {
-    Result<FollowedEdges> along = follow_edges(*mesh);
-    if (!along) return with_name(along.error(), file.string());
-    followed = *along;
-  } else if (Status single = check_boundary(*mesh); !single) {
-    return with_name(single.error(), file.string());
-  }
-  Result<Pslg> domain = domain_or_outline(std::move(*poly), file, *mesh);
+  Result<PolyBeside> beside = poly_beside(file, *mesh);
+  if (!beside) return beside.error();
+  std::optional<Pslg>& poly = beside->pslg;
+  if (poly) mesh->constrained_edges = segments_as_edges(*poly);
+  const Result<FollowedEdges> followed = follow_edges(*mesh, poly ? &*poly : nullptr);
+  if (!followed) return with_name(followed.error(), file.string());
+  const bool has_numbers = poly && followed->lines == 0;
+  if (poly && followed->lines > 0) poly->segments = edges_as_segments(*mesh);
+  if (poly)
+    if (Status proper = check_boundary(*mesh); !proper) return with_name(proper.error(), file.string());
+  Result<Pslg> domain = domain_or_outline(std::move(poly), file, *mesh);
   if (!domain) return domain.error();
-  CoarseMesh coarse{std::move(*mesh), {}, {std::move(*domain), file.string(), {}, is_outline}, followed};
+  CoarseMesh coarse{
+      std::move(*mesh), {}, {std::move(*domain), file.string(), {}, !has_numbers}, *followed, std::move(beside->note)};
   coarse.domain.points = coarse.mesh.numbers;
   adopt_segments(coarse);
   const fs::path area = fs::path(file).replace_extension(".area");
@@ -133,6 +151,13 @@ Status read_caps(CoarseMesh& coarse, const fs::path& area) {
   }
   coarse.max_areas = std::move(*caps);
   return Done{};
+}
+
+std::vector<ConstrainedEdge> segments_as_edges(const Pslg& pslg) {
+  std::vector<ConstrainedEdge> edges;
+  edges.reserve(pslg.segments.size());
+  for (const Segment& segment : pslg.segments) edges.push_back({segment.a, segment.b, no_index, segment.marker});
+  return edges;
 }
 
 void adopt_segments(CoarseMesh& coarse) {

@@ -49,9 +49,11 @@ struct CoarseMesh {
   Mesh mesh;
   std::vector<double> max_areas;  ///< one cap per triangle, or empty
   Domain domain;
-  FollowedEdges followed{};  ///< of a mesh whose domain is made of it
+  FollowedEdges followed{};
+  std::string note_about_poly{};  ///< why a .poly beside the mesh is not its domain
 };
-/// Errors: those of read_mesh(); `invalid_input` if there is no domain, and those of follow_edges().
+/// Errors: those of read_mesh(); `invalid_input` if there is no domain, and those of follow_edges() and
+/// check_boundary().
 [[nodiscard]] Result<CoarseMesh> read_coarse_mesh(const std::filesystem::path& file);
 
 /// The thing that a run meshes: a valid domain, or a mesh to refine.
@@ -61,6 +63,9 @@ using Source = std::variant<ValidPslg, CoarseMesh>;
 
 /// Reads one cap per triangle of coarse.mesh from a .area file.
 [[nodiscard]] Status read_caps(CoarseMesh& coarse, const std::filesystem::path& area);
+
+/// The segments as constrained edges of a mesh that has the points of the Pslg.
+[[nodiscard]] std::vector<ConstrainedEdge> segments_as_edges(const Pslg& pslg);
 
 /// Replaces the constrained edges of the mesh by the segments of the domain, with the indices of the segments. The
 /// vertices of the refined mesh then refer to segments of the domain.

@@ -46,13 +46,6 @@ ValidateOptions how_to_validate(const MeshArguments& arguments) {
   return {.convex_hull = arguments.goal.convex_hull, .threads = arguments.options.threads};
 }
 
-void note_followed(const CoarseMesh& coarse) {
-  const auto [lines, edges] = coarse.followed;
-  if (lines == 0) return;
-  warn(fmt::format("{}: note: {} through further nodes {} taken as {} edges", coarse.domain.name,
-                   plural(lines, "constrained edge"), lines == 1 ? "is" : "are", edges));
-}
-
 /// Reads the input and the sizes, and validates a domain: the only validation of a run.
 Result<MeshInput, Refusal> read(const MeshArguments& arguments, ProgressBar& bar, Seconds& seconds) {
   Stopwatch watch;
@@ -62,7 +55,9 @@ Result<MeshInput, Refusal> read(const MeshArguments& arguments, ProgressBar& bar
     Result<CoarseMesh> coarse = read_coarse_mesh(arguments.input);
     if (!coarse) return Refusal(coarse.error());
     note_beside_mesh(coarse->mesh, arguments.input, ", which the refined mesh does not have");
-    note_followed(*coarse);
+    if (!coarse->note_about_poly.empty()) warn(coarse->note_about_poly);
+    if (const std::string note = note_about(coarse->followed); !note.empty())
+      warn(fmt::format("{}: {}", coarse->domain.name, note));
     if (Status kept = check_kept_segments(*coarse, arguments.options.kept_markers); !kept)
       return Refusal(with_name(kept.error(), arguments.input.string()));
     Result<GivenSizes> sizes = read_given_sizes(arguments.goal, crossing);

@@ -8,6 +8,7 @@
 #include "../core/formats.hpp"
 #include "domain_of_mesh.hpp"
 #include "exit_code.hpp"
+#include "follow_edges.hpp"
 
 namespace pardel::cli {
 namespace fs = std::filesystem;
@@ -44,19 +45,22 @@ Result<TriangleInput> read_domain_of(const TriangleSwitches& switches) {
                        .regions = std::move(regions)};
 }
 
-/// Sets the constrained edges of the mesh to the segments of the .poly, and returns the .poly's holes.
-Result<std::vector<Point>> take_segments(const fs::path& poly, Mesh& mesh) {
+/// Sets the constrained edges of the mesh to the segments of the .poly, and returns the .poly's holes. A note says
+/// which segments were taken as several edges.
+Result<std::vector<Point>> take_segments(const TriangleSwitches& switches, Mesh& mesh) {
+  const fs::path poly = switches.name + ".poly", ele = switches.name + ".ele";
   Result<Pslg> pslg = read_pslg(poly);
   if (!pslg) return pslg.error();
-  if (!has_own_points(poly)) return std::move(pslg->holes);  // read_mesh() has read the segments already
-  if (pslg->points.size() != mesh.points.size()) {
+  if (pslg->points.size() == mesh.points.size()) {
+    mesh.constrained_edges = segments_as_edges(*pslg);
+  } else if (has_own_points(poly)) {  // otherwise read_mesh() has read the segments
     return Error{ErrorKind::invalid_input, fmt::format("{}: {} points for a mesh with {} vertices", poly.string(),
                                                        pslg->points.size(), mesh.points.size())};
   }
-  mesh.constrained_edges.clear();
-  for (const Segment& segment : pslg->segments) {
-    mesh.constrained_edges.push_back({segment.a, segment.b, no_index, segment.marker});
-  }
+  const Result<FollowedEdges> followed = follow_edges(mesh, &*pslg);
+  if (!followed) return with_name(followed.error(), ele.string());
+  if (const std::string note = note_about(*followed); !note.empty() && !switches.quiet)
+    warn(fmt::format("{}: {}", ele.string(), note));
   return std::move(pslg->holes);
 }
 
@@ -70,7 +74,7 @@ Result<TriangleInput> read_mesh_of(const TriangleSwitches& switches) {
   // Without p only the outline of the mesh is constrained.
   if (!switches.poly) mesh->constrained_edges.clear();
   Result<std::vector<Point>> holes = std::vector<Point>();
-  if (switches.poly) holes = take_segments(switches.name + ".poly", *mesh);
+  if (switches.poly) holes = take_segments(switches, *mesh);
   if (!holes) return holes.error();
   Result<Pslg> pslg = domain_of(*mesh);
   if (!pslg) return with_name(pslg.error(), ele);

@@ -70,13 +70,17 @@ TEST_F(NumbersOfFile, name_the_corners_of_a_triangle_that_is_turned_over) {
 }
 
 TEST_F(NumbersOfFile, are_those_of_its_segments_where_a_poly_has_them) {
-  write("m.node", "5 2 0 0\n1 0 0\n2 2 0\n3 2 2\n4 0 2\n5 1 1\n");
+  write("m.node", "6 2 0 0\n1 0 0\n2 2 0\n3 2 2\n4 0 2\n5 1 1\n6 1.5 0.5\n");
   write("m.ele", "4 3 0\n1 1 2 5\n2 2 3 5\n3 3 4 5\n4 4 1 5\n");
-  write("m.poly", "0 2 0 0\n5 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n5 2 4\n0\n");
+  write("m.poly", "0 2 0 0\n5 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n5 2 5\n0\n");
   write("sizes.asc", "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 2\n1 1\n1 1\n");
-  const Ran ran = pardel({"mesh", "m.node", "--refine", "-o", "r.vtu", "--sizes", "sizes.asc"});
+  const auto refine = [&] { return pardel({"mesh", "m.node", "--refine", "-o", "r.vtu", "--sizes", "sizes.asc"}); };
+  const Ran ran = refine();
   EXPECT_EQ(ran.exit_code, 3) << ran;
-  EXPECT_TRUE(holds(ran.err, {"m.node: Point 5 at (1, 1) lies in the interior of segment 5."})) << ran;
+  EXPECT_TRUE(holds(ran.err, {"m.node: Point 6 at (1.5, 0.5) lies in the interior of segment 5."})) << ran;
+  write("m.poly", "0 2 0 0\n5 0\n1 2 4\n2 2 3\n3 3 4\n4 4 1\n5 1 2\n0\n");
+  EXPECT_TRUE(holds(refine().err, {"Point 6 at (1.5, 0.5) lies in the interior of segment 2-5."}))
+      << "segments that were cut at nodes have other numbers than in the file";
 }
 
 /// A square, and two triangles of which the second one overlaps the first one.
