@@ -176,7 +176,8 @@ void describe(const MeshArguments& arguments, const Pslg& pslg, const Goal& goal
   Stopwatch watch;
   run.name = arguments.input.string();
   count_input(pslg, run);
-  describe_goal(goal, pslg.regions, arguments.refine || arguments.goal.convex_hull, run);
+  run.refined = arguments.refine;
+  describe_goal(goal, pslg.regions, arguments.goal.convex_hull, run);
   run.names = meshed.mesh.names;
   run.sizes = arguments.goal.sizes;
   run.sources = arguments.goal.sources;

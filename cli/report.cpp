@@ -181,7 +181,7 @@ void describe_goal(const Goal& goal, std::span<const Region> regions, bool expec
   const auto has_cap = [](const Region& region) { return std::isfinite(region.max_area); };
   run.goal = goal;
   run.region_caps_unused = !goal.region_caps && std::ranges::any_of(regions, has_cap);
-  run.hull_by_default = !expects_hull && run.segments == 0;
+  run.hull_by_default = !expects_hull && !run.refined && run.segments == 0;
 }
 
 std::string to_json(const MeshRun& run) {
@@ -235,7 +235,9 @@ std::string text_of_mesh(const MeshRun& run) {
     text += fmt::format(
         "note    the input has no segments, so the domain is the convex hull of its points; {} refines a mesh\n",
         run.ranks ? "'pardel mesh --refine'" : "--refine");
-  if (run.region_caps_unused) text += "note    the area caps of the regions are ignored; --regions enables them\n";
+  if (run.region_caps_unused)
+    text += fmt::format("note    the area caps of the regions are ignored{}\n",
+                        run.refined ? " when a mesh is refined" : "; --regions enables them");
   text += fmt::format("mesh    {}, {}, angles {:.2f} to {:.2f} degrees, area {:.6g}\n",
                       plural(mesh.vertices, "vertex", "vertices"), plural(mesh.triangles, "triangle"),
                       mesh.min_angle_deg, mesh.max_angle_deg, mesh.area);

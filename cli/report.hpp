@@ -39,6 +39,7 @@ struct MeshRun {
   std::string name;  ///< the name of the input file
   std::size_t points = 0, segments = 0, holes = 0, regions = 0;
   std::uint64_t points_outside = 0;  ///< the points of the input that are in no triangle
+  bool refined = false;              ///< the input is a mesh
   Goal goal;
   std::vector<Warning> warnings;    ///< of the domain
   std::optional<LeastSize> large;   ///< if the mesh needs very many triangles
@@ -62,7 +63,7 @@ struct MeshRun {
 /// Fills in the numbers of points, segments, holes and regions.
 void count_input(const Pslg& input, MeshRun& run);
 /// Fills in the goal, and what it makes of the input. `regions`: those of the input. `expects_hull`: the user has asked
-/// for the convex hull, or refines a mesh. Precondition: the numbers are filled in.
+/// for the convex hull. Precondition: the numbers and MeshRun::refined are filled in.
 void describe_goal(const Goal& goal, std::span<const Region> regions, bool expects_hull, MeshRun& run);
 
 [[nodiscard]] std::string to_json(const MeshRun& run);

@@ -244,5 +244,13 @@ TEST_F(GivenLines, of_a_poly_that_has_other_points_than_the_mesh_are_not_used_an
   EXPECT_EQ(ran.err, "pardel: m.poly: note: not used, because it has 4 points for a mesh with 9 vertices\n");
 }
 
+TEST_F(GivenLines, with_area_caps_of_regions_make_a_note_without_an_option_that_is_refused) {
+  write_files({}, triangles(), "0\n1\n1 0.5 0.5 3 0.01\n");
+  const Ran ran = pardel({"mesh", "m.node", "--refine", "-o", "r.node"});
+  EXPECT_EQ(ran.exit_code, 0) << ran;
+  EXPECT_TRUE(holds(ran.out, {"note    the area caps of the regions are ignored when a mesh is refined\n"})) << ran;
+  EXPECT_FALSE(holds(ran.out, {"--regions"})) << ran;
+}
+
 }  // namespace
 }  // namespace pardel::testing
