@@ -9,6 +9,7 @@
 #include "triangle_sections.hpp"
 #include "vtk_names.hpp"
 #include "vtu_names.hpp"
+#include "whole_markers.hpp"
 
 namespace pardel::files {
 
@@ -47,11 +48,15 @@ void VtkData::give_to(const std::vector<std::size_t>& cell_of_triangle, const st
     for (std::size_t t = 0; t < attributes.size(); ++t) attributes[t] = region_[cell_of_triangle[t]];
     set_regions(mesh_, attributes.span());
   }
-  for (std::size_t i = 0; i < cell_of_line.size() && !marker_.empty(); ++i)
-    mesh_.constrained_edges[i].marker = marker_[cell_of_line[i]];
+  take_markers_of_points();
+  take_markers_of_lines(cell_of_line);
   for (Field& field : mesh_.fields)
     if (field.place == Field::Place::triangles) keep_triangles(field, cell_of_triangle, cell_of_line);
-  std::erase_if(mesh_.fields, [this](const Field& field) { return is_quality(field, mesh_); });
+  // Files that have markers of lines have 0 in triangles, so zeroes alone say nothing.
+  std::erase_if(mesh_.fields, [this](const Field& field) {
+    return is_quality(field, mesh_) ||
+           (is_marker_of_triangles(field) && std::ranges::none_of(field.values, says_something));
+  });
   // Those at points come first, as in other formats.
   std::ranges::stable_sort(mesh_.fields, {}, &Field::place);
 }
@@ -124,7 +129,7 @@ void VtkData::read_array(const std::string& name, std::size_t components, std::s
   const bool has_values = fits && tuples > 0;
   if (has_values && *of_points_ && name == "attributes") return read_attributes(components);
   if (has_values && components == 1) {
-    if (name == "marker") return read_markers(*of_points_ ? mesh_.point_markers : marker_, tuples);
+    if (name == "marker") return read_field(name, 1);  // give_to() takes the markers from it
     if (name == "region" && !*of_points_) return read_numbers(region_, tuples);
   }
   const bool is_of_mesh = name == "attributes" || name == "marker" || name == "region";
@@ -144,15 +149,6 @@ void VtkData::read_numbers(Array<double>& values, std::size_t n) {
   for (std::size_t i = 0; i < n && !in_.failed(); ++i) {
     in_.next_field();
     values[i] = in_.number("a value");
-  }
-}
-
-void VtkData::read_markers(Array<int>& markers, std::size_t n) {
-  if (!in_.room_for(n, text_bytes(1), "values")) return;
-  markers.resize(n);
-  for (std::size_t i = 0; i < n && !in_.failed(); ++i) {
-    in_.next_field();
-    markers[i] = static_cast<int>(in_.integer("a marker", any_marker_low, any_marker_high));
   }
 }
 
@@ -187,15 +183,40 @@ void VtkData::skip_metadata() {
   while (!in_.rest().empty() && !in_.rest().starts_with('\n') && !in_.rest().starts_with("\r\n")) in_.end_line();
 }
 
+void VtkData::take_markers_of_points() {
+  const auto field = std::ranges::find_if(mesh_.fields, [](const Field& f) {
+    return f.place == Field::Place::points && f.name == "marker" && f.components == 1;
+  });
+  if (field == mesh_.fields.end()) return;
+  std::optional<Array<int>> markers = whole_markers(field->values.span());
+  if (!markers) return;
+  mesh_.point_markers = std::move(*markers);
+  mesh_.fields.erase(field);
+}
+
+/// The values of triangles stay.
+void VtkData::take_markers_of_lines(const std::vector<std::size_t>& cell_of_line) {
+  const auto field = std::ranges::find_if(mesh_.fields, is_marker_of_triangles);
+  if (field == mesh_.fields.end()) return;
+  Array<double> of_lines;
+  for (const std::size_t cell : cell_of_line) of_lines.push_back(field->values[cell]);
+  const std::optional<Array<int>> markers = whole_markers(of_lines.span());
+  if (!markers) return;
+  for (std::size_t i = 0; i < cell_of_line.size(); ++i) {
+    mesh_.constrained_edges[i].marker = (*markers)[i];
+    field->values[cell_of_line[i]] = 0;
+  }
+}
+
 /// A field that other cells do not have is 0 or not a number there. No triangle comes after its cell.
 void VtkData::keep_triangles(Field& field, const std::vector<std::size_t>& cell_of_triangle,
                              const std::vector<std::size_t>& cell_of_line) {
   Array<double>& values = field.values;
   const std::size_t n = field.components;
-  const auto says_something = [&](std::size_t cell) {
-    return std::any_of(&values[cell * n], &values[cell * n] + n, [](double v) { return v != 0 && !std::isnan(v); });
+  const auto has_values = [&](std::size_t cell) {
+    return std::any_of(&values[cell * n], &values[cell * n] + n, says_something);
   };
-  if (std::ranges::any_of(cell_of_line, says_something)) mesh_.left_out.add("values in cells that are not triangles");
+  if (std::ranges::any_of(cell_of_line, has_values)) mesh_.left_out.add("values in cells that are not triangles");
   for (std::size_t t = 0; t < cell_of_triangle.size(); ++t)
     for (std::size_t k = 0; k < n; ++k) values[t * n + k] = values[cell_of_triangle[t] * n + k];
   values.resize(cell_of_triangle.size() * n);

@@ -39,12 +39,13 @@ class VtkData {
   void read_array(const std::string& name, std::size_t components, std::size_t tuples, bool is_text);
   void read_attributes(std::size_t components);
   void read_numbers(Array<double>& values, std::size_t n);
-  void read_markers(Array<int>& markers, std::size_t n);
   void read_field(const std::string& name, std::size_t components);
   void skip_values(std::size_t n);
   void skip_lookup_table();
   void skip_metadata();
 
+  void take_markers_of_points();
+  void take_markers_of_lines(const std::vector<std::size_t>& cell_of_line);
   void keep_triangles(Field& field, const std::vector<std::size_t>& cell_of_triangle,
                       const std::vector<std::size_t>& cell_of_line);
 
@@ -53,7 +54,6 @@ class VtkData {
   std::size_t cells_ = 0;
   std::optional<bool> of_points_;  ///< what the arrays belong to that are read
   Array<double> region_;           ///< per cell
-  Array<int> marker_;              ///< per cell
 };
 
 }  // namespace pardel::files

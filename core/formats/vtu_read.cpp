@@ -21,6 +21,7 @@
 #include "vtk_cells.hpp"
 #include "vtu_arrays.hpp"
 #include "vtu_names.hpp"
+#include "whole_markers.hpp"
 
 namespace pardel::files {
 namespace {
@@ -47,7 +48,8 @@ class VtuMesh {
     read_cells();
     read_regions();
     read_markers_of_lines();
-    read_point_data();
+    read_markers_of_points();
+    read_attributes();
     read_fields();
     if (piece_ == 0) read_field_data();
     if (error_) return *error_;
@@ -205,18 +207,46 @@ class VtuMesh {
     set_regions(mesh_, by_triangle.span());
   }
 
-  void read_markers_of_lines() {
-    if (cell_of_line_.empty()) return;
-    const VtuArray* array = find("CellData", "marker");
-    const auto by_cell = values<std::int64_t>(array, cells());
-    for (std::size_t i = 0; i < cell_of_line_.size() && !by_cell.empty(); ++i)
-      mesh_.constrained_edges[i].marker = marker(array, by_cell, cell_of_line_[i]);
+  /// The values of an array "marker" with one number per place; nothing for other arrays, which are fields.
+  std::optional<Array<double>> values_of_markers(const VtuArray* array, std::size_t places) {
+    if (error_ || array == nullptr || !VtuFile::is_number(array->type)) return std::nullopt;
+    auto values = file_.values<double>(*array, true);
+    if (!values) error_ = values.error();
+    if (!values || values->size() != places) return std::nullopt;
+    return std::move(*values);
   }
 
-  void read_point_data() {
-    const VtuArray* markers_array = find("PointData", "marker");
-    const auto markers = values<std::int64_t>(markers_array, points());
-    for (std::size_t i = 0; i < markers.size(); ++i) mesh_.point_markers.push_back(marker(markers_array, markers, i));
+  /// What the array says about triangles is a field. Files that have markers of lines have 0 there, so zeroes alone say
+  /// nothing.
+  void read_markers_of_lines() {
+    const VtuArray* array = find("CellData", "marker");
+    auto values = values_of_markers(array, cells());
+    if (!values) return;
+    Array<double> of_lines;
+    for (const std::size_t line : cell_of_line_) of_lines.push_back((*values)[line]);
+    const auto markers = whole_markers(of_lines.span());
+    if (!markers) return;
+    markers_of_lines_ = array;
+    for (std::size_t i = 0; i < cell_of_line_.size(); ++i) {
+      mesh_.constrained_edges[i].marker = (*markers)[i];
+      (*values)[cell_of_line_[i]] = std::numeric_limits<double>::quiet_NaN();
+    }
+    keep_triangles(*values, 1);
+    if (std::ranges::any_of(*values, says_something))
+      mesh_.fields.push_back({std::string(array->name), Field::Place::triangles, 1, std::move(*values), 0});
+  }
+
+  void read_markers_of_points() {
+    const VtuArray* array = find("PointData", "marker");
+    const auto values = values_of_markers(array, points());
+    if (!values) return;
+    auto markers = whole_markers(values->span());
+    if (!markers) return;
+    markers_of_points_ = array;
+    mesh_.point_markers = std::move(*markers);
+  }
+
+  void read_attributes() {
     const VtuArray* attributes = find("PointData", "attributes");
     if (attributes == nullptr || points() == 0) return;
     mesh_.point_attributes = values<double>(attributes);
@@ -225,9 +255,10 @@ class VtuMesh {
   }
 
   /// Arrays that are no fields: write_vtu() writes them from other parts of the mesh.
-  static bool is_of_mesh(const VtuArray& array) {
-    if (array.section == "CellData") return array.name == "region" || array.name == "marker";
-    return array.name == "marker" || array.name == "attributes" || array.name == vtu_vertex_numbers;
+  [[nodiscard]] bool is_of_mesh(const VtuArray& array) const {
+    if (&array == markers_of_lines_ || &array == markers_of_points_) return true;
+    if (array.section == "CellData") return array.name == "region";
+    return array.name == "attributes" || array.name == vtu_vertex_numbers;
   }
 
   /// Those at points come first, as in a .msh.
@@ -237,6 +268,7 @@ class VtuMesh {
       for (const VtuArray& array : file_.arrays())
         if (array.piece == piece_ && array.section == section && !is_of_mesh(array) && !error_)
           read_field(array, place);
+    std::ranges::stable_sort(mesh_.fields, {}, &Field::place);
   }
 
   /// Text and bits are left out, and so are values of cells that are no triangles.
@@ -316,6 +348,7 @@ class VtuMesh {
   std::size_t leading_triangles_ = 0;          ///< their cells are the first cells
   std::vector<std::size_t> cell_of_triangle_;  ///< of the other triangles
   std::vector<std::size_t> cell_of_line_;
+  const VtuArray *markers_of_lines_ = nullptr, *markers_of_points_ = nullptr;  ///< the arrays that are no fields
   double unit_of_points_ = std::numeric_limits<double>::epsilon();  ///< in the last place of a coordinate of 1
   std::vector<char> is_middle_;  ///< per point: 1 for the middle of an edge; empty if there are none
   std::vector<Index> kept_;      ///< the result of remove_middles(); empty if there were none

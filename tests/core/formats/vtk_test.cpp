@@ -208,6 +208,58 @@ TEST(Vtk, attributes_of_points_are_not_replaced_by_sizes) {
   }
 }
 
+/// Two triangles and a line between them, with arrays in the three cells and at the four points.
+Mesh with_arrays(const std::string& arrays) {
+  const TemporaryFolder folder;
+  const auto read = read_mesh(folder.write(
+      "m.vtk",
+      "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\n"
+      "POINTS 4 double\n0 0 0 1 0 0 1 1 0 0 1 0\nCELLS 3 11\n3 0 1 2\n2 0 1\n3 0 2 3\nCELL_TYPES 3\n5 3 5\n" +
+          arrays));
+  EXPECT_TRUE(read.ok()) << read.error().message;
+  return read.ok() ? *read : Mesh();
+}
+
+TEST(Vtk, markers_of_triangles_are_a_field_and_those_of_lines_markers) {
+  const auto in_cells = [](const std::string& type, const std::string& values) {
+    return with_arrays("CELL_DATA 3\nSCALARS marker " + type + "\nLOOKUP_TABLE default\n" + values + "\n");
+  };
+  const auto marker = [](const Values& values) {
+    return std::vector{Field{"marker", Field::Place::triangles, 1, Array<double>(values), 0}};
+  };
+  const Mesh whole = in_cells("int", "7 5 8");
+  EXPECT_EQ(whole.fields, marker({7, 8}));
+  EXPECT_EQ(whole.constrained_edges[0].marker, 5);
+  EXPECT_EQ(whole.left_out.things(), Texts());
+  EXPECT_EQ(in_cells("double", "7.5 -5 0").fields, marker({7.5, 0}));
+  EXPECT_EQ(in_cells("double", "7.5 -5 0").constrained_edges[0].marker, -5);
+  EXPECT_EQ(in_cells("int", "0 5 0").fields, std::vector<Field>());
+
+  const Mesh real = in_cells("double", "7 0.5 8");
+  EXPECT_EQ(real.fields, marker({7, 8}));
+  EXPECT_EQ(real.constrained_edges[0].marker, 0);
+  EXPECT_EQ(real.left_out.things(), Texts{"values in cells that are not triangles"});
+
+  const TemporaryFolder folder;
+  ASSERT_TRUE(write_vtk(whole, folder / "again.vtk"));
+  const auto again = read_mesh(folder / "again.vtk");
+  ASSERT_TRUE(again.ok()) << again.error().message;
+  EXPECT_EQ(again->fields.at(0).name, "marker 2");
+  EXPECT_EQ(again->fields.at(0).values, whole.fields.at(0).values);
+  EXPECT_EQ(again->constrained_edges, whole.constrained_edges);
+}
+
+TEST(Vtk, markers_of_points_that_are_not_all_whole_numbers_of_32_bits_are_a_field) {
+  for (const Values& values : {Values{0.5, 1, 2, 3}, Values{1, 2, 3, 4294967296}, Values{1, std::nan(""), 2, 3}}) {
+    std::string text = "POINT_DATA 4\nSCALARS marker double\nLOOKUP_TABLE default\n";
+    for (const double value : values) text += std::to_string(value) + "\n";
+    const Mesh mesh = with_arrays(text);
+    ASSERT_EQ(mesh.fields.size(), 1U) << text;
+    EXPECT_EQ(mesh.fields[0], (Field{"marker", Field::Place::points, 1, Array<double>(values), 0}));
+    EXPECT_TRUE(mesh.point_markers.empty());
+  }
+}
+
 TEST(Vtk, errors_name_the_line_and_the_fault) {
   const TemporaryFolder folder;
   ASSERT_TRUE(write_vtk(sample_mesh(), folder / "m.vtk").ok());
@@ -229,8 +281,7 @@ TEST(Vtk, errors_name_the_line_and_the_fault) {
   EXPECT_EQ(failure("CELL_TYPES 9", "CELL_TYPES 8"), "w.vtk:22: expected as many cells as CELLS has, 9");
   EXPECT_EQ(failure("POINT_DATA 6", "POINT_DATA 5"), "w.vtk:54: expected as many values as there are points, 6");
   EXPECT_EQ(failure("FIELD", "FOLD"), "w.vtk:33: expected a section, found \"FOLD\"");
-  EXPECT_EQ(failure("marker 1 9 int\n0\n", "marker 1 9 int\n0.5\n"),
-            "w.vtk:45: expected a marker, a whole number, found \"0.5\"");
+  EXPECT_EQ(failure("marker 1 9 int\n0\n", "marker 1 9 int\nx\n"), "w.vtk:45: expected a value, found \"x\"");
   EXPECT_EQ(message_of(read_mesh(folder.write("w.vtk", text.substr(0, text.find("CELL_TYPES")))), folder),
             "w.vtk:22: expected CELL_TYPES, found the end of the file");
 }

@@ -69,6 +69,41 @@ TEST(VtuFields, size_is_a_field) {
   EXPECT_EQ(mesh.fields.at(0).name, "size");
 }
 
+TEST(VtuFields, have_markers_of_triangles_while_those_of_lines_are_markers) {
+  const auto with_markers = [](const std::string& values) {
+    return read_vtu_text(square_piece(
+        0, in_cells(array_element("Name=\"marker\"", values)) + at_points(array_element("Name=\"T\"", "1 2 3 4"))));
+  };
+  const auto marker = [](const Values& values) {
+    return Field{"marker", Field::Place::triangles, 1, Array<double>(values), 0};
+  };
+  const Mesh whole = with_markers("7 5 8");
+  ASSERT_EQ(whole.fields.size(), 2U);
+  EXPECT_EQ(whole.fields[0].name, "T");
+  EXPECT_EQ(whole.fields[1], marker({7, 8}));
+  EXPECT_EQ(whole.constrained_edges.at(0).marker, 5);
+  EXPECT_EQ(whole.left_out.things(), Texts());
+  EXPECT_EQ(with_markers("7.5 -5 0").fields.back(), marker({7.5, 0}));
+  EXPECT_EQ(with_markers("7.5 -5 0").constrained_edges.at(0).marker, -5);
+  EXPECT_EQ(with_markers("0 5 0").fields.size(), 1U);
+
+  const Mesh real = with_markers("7 0.5 8");
+  EXPECT_EQ(real.fields.back(), marker({7, 8}));
+  EXPECT_EQ(real.constrained_edges.at(0).marker, 0);
+  EXPECT_EQ(real.left_out.things(), Texts{"values in cells that are not triangles"});
+}
+
+TEST(VtuFields, have_markers_of_points_that_are_not_all_whole_numbers_of_32_bits) {
+  for (const char* values : {"0.5 1 2 3", "1 2 3 4294967296", "1 nan 2 3"}) {
+    const Mesh mesh = read_vtu_text(square_piece(0, at_points(array_element("Name=\"marker\"", values))));
+    ASSERT_EQ(mesh.fields.size(), 1U) << values;
+    EXPECT_EQ(mesh.fields[0].name, "marker");
+    EXPECT_EQ(mesh.fields[0].place, Field::Place::points);
+    EXPECT_EQ(mesh.fields[0].values.size(), 4U);
+    EXPECT_TRUE(mesh.point_markers.empty());
+  }
+}
+
 TEST(VtuFields, what_cannot_be_a_field_is_listed_as_left_out) {
   const std::string names = "<DataArray type=\"String\" Name=\"labels\" format=\"ascii\">65 0 66 0</DataArray>\n";
   const Mesh mesh =
