@@ -26,7 +26,7 @@ int first_number(MeshFormat format) {
 }  // namespace
 
 NumbersInWitnesses numbers_of_files(FirstId of_domain, const Mesh& mesh) {
-  return {of_domain.value, mesh.first_id.value, mesh.first_id.value, mesh.numbers.of_points};
+  return {of_domain.value, mesh.first_id.value, mesh.first_id.value, mesh.numbers.of_points, mesh.numbers.of_triangles};
 }
 
 NumbersInWitnesses numbers_of_outputs(FirstId of_domain, std::span<const std::filesystem::path> outputs,

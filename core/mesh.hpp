@@ -41,10 +41,12 @@ inline constexpr Index hull_vertex = no_index - 1;
 /// The segment of such an origin. Of the other origins: a number that is no segment, greater than all segments.
 [[nodiscard]] constexpr Index segment_of_origin(Index origin) { return origin - 1; }
 
-/// The numbers of the points in the file of a mesh, if they are not those that FirstId gives: the tags of a .msh. Only
-/// messages use them. No result depends on them, so all values compare equal.
+/// The numbers of the points in the file of a mesh, if they are not those that FirstId gives: the tags of a .msh. The
+/// same for triangles: the numbers in a .2dm. Only messages use them. No result depends on them, so all values compare
+/// equal.
 struct NumbersInFile {
   std::vector<std::uint64_t> of_points;
+  std::vector<std::uint64_t> of_triangles{};
   friend bool operator==(const NumbersInFile&, const NumbersInFile&) { return true; }
 };
 
@@ -59,7 +61,7 @@ struct Mesh {
   Array<double> point_attributes;  ///< point by point: points.size() * attributes_per_point numbers
   Array<int> point_markers;        ///< empty, or one per point
   FirstId first_id{};              ///< the number of the first point in the file of the mesh
-  NumbersInFile numbers{};         ///< empty, or one per point
+  NumbersInFile numbers{};         ///< empty, or one per point; empty, or one per triangle
   std::vector<Field> fields;       ///< their values are one per point or triangle and component
   std::vector<GroupName> names;    ///< at most one per marker and per region
   LeftOut left_out{};              ///< of the file of the mesh
@@ -74,6 +76,11 @@ struct Mesh {
 }
 [[nodiscard]] inline std::uint64_t number_in_file(const Mesh& mesh, Index point) {
   return number_in_file(mesh.numbers, mesh.first_id, point);
+}
+/// The number of a triangle there.
+[[nodiscard]] inline std::uint64_t number_of_triangle_in_file(const Mesh& mesh, Index triangle) {
+  const std::vector<std::uint64_t>& own = mesh.numbers.of_triangles;
+  return triangle < own.size() ? own[triangle] : std::uint64_t{triangle} + static_cast<unsigned>(mesh.first_id.value);
 }
 
 }  // namespace pardel

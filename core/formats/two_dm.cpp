@@ -37,7 +37,7 @@ class TwoDmReader {
     if (nodes.failed()) return nodes.error();
     sort_nodes(nodes);
     if (nodes.failed()) return nodes.error();
-    const TextReader rest = each_card([&](TextReader& in, std::string_view card) {
+    TextReader rest = each_card([&](TextReader& in, std::string_view card) {
       if (card == "NS") return read_nodestring(in);
       end_nodestring(in);
       if (card == "E3T") return read_triangle(in);
@@ -45,6 +45,7 @@ class TwoDmReader {
         materials_ = in.integer("the number of materials per element", 0, largest_number);
       if (is_element(card)) in.fail("elements of type " + in_quotes(card) + " are not read, only triangles (E3T)");
     });
+    take_numbers_of_triangles(rest);
     if (rest.failed()) return rest.error();
     if (materials_ > 0) set_regions(mesh_, attributes_.span());
     rebuild_neighbours(mesh_.triangles, mesh_.points.size());
@@ -94,13 +95,25 @@ class TwoDmReader {
   }
 
   void read_triangle(TextReader& in) {
-    in.integer("an element's number", 1, largest_number);
+    numbers_.push_back(static_cast<std::uint64_t>(in.integer("an element's number", 1, largest_number)));
     Triangle triangle;
     for (Index& corner : triangle.v) corner = node(in, in.integer("a node's number", 1, largest_number));
     mesh_.triangles.push_back(triangle);
     attributes_.push_back(
         materials_ > 0 ? static_cast<double>(in.integer("a material", -largest_number, largest_number)) : 0);
     if (!can_be_a_mesh(mesh_.triangles.size())) in.fail("has more triangles than a mesh can hold");
+  }
+
+  void take_numbers_of_triangles(TextReader& in) {
+    if (std::ranges::is_sorted(numbers_, std::ranges::less_equal())) {  // nearly all files
+      if (numbers_.empty() || numbers_.back() == numbers_.size()) return;
+    } else {
+      std::vector<std::uint64_t> sorted = numbers_;
+      std::ranges::sort(sorted);
+      const auto twice = std::ranges::adjacent_find(sorted);
+      if (twice != sorted.end()) in.fail("two triangles have the number " + std::to_string(*twice));
+    }
+    mesh_.numbers.of_triangles = std::move(numbers_);
   }
 
   void read_nodestring(TextReader& in) {
@@ -134,6 +147,7 @@ class TwoDmReader {
   MshNodes nodes_;
   std::vector<std::pair<std::size_t, double>> heights_;  ///< z of each node, with its number
   std::int64_t materials_ = 1;                           ///< per element
+  std::vector<std::uint64_t> numbers_;                   ///< of the triangles
   Array<double> attributes_;                             ///< the materials of the triangles
   Chain nodestring_;                                     ///< the part that has been read
   int nodestrings_ = 0;

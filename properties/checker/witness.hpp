@@ -23,11 +23,13 @@ struct NumbersInWitnesses {
   int first_of_domain = 0;  ///< the number of the first point, and of the first segment, hole and region
   int first_triangle = 0;
   int first_vertex = 0;
-  std::span<const std::uint64_t> vertices{};  ///< by vertex; a vertex without an entry counts from `first_vertex`
+  std::span<const std::uint64_t> vertices{};   ///< by vertex; a vertex without an entry counts from `first_vertex`
+  std::span<const std::uint64_t> triangles{};  ///< the same by triangle
 
   /// The number of the thing with this index.
   [[nodiscard]] std::uint64_t number(Numbered what, Index index) const {
     if (what == Numbered::vertex && index < vertices.size()) return vertices[index];
+    if (what == Numbered::triangle && index < triangles.size()) return triangles[index];
     const int first = what == Numbered::vertex     ? first_vertex
                       : what == Numbered::triangle ? first_triangle
                                                    : first_of_domain;

@@ -83,6 +83,21 @@ TEST_F(NumbersOfFile, are_those_of_its_segments_where_a_poly_has_them) {
       << "segments that were cut at nodes have other numbers than in the file";
 }
 
+TEST_F(NumbersOfFile, are_those_of_the_triangles_of_a_2dm) {
+  write("square.poly", "4 2 0 0\n1 0 0\n2 2 0\n3 2 2\n4 0 2\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n");
+  const std::string nodes = "ND 1 0 0 0\nND 2 2 0 0\nND 3 2 2 0\nND 4 0 2 0\n";
+  write("m.2dm", "MESH2D\nE3T 105 1 2 3 1\nE3T 101 1 3 4 1\n" + nodes);
+  const Ran checked = pardel({"check", "square.poly", "m.2dm", "--max-area", "1.5"});
+  EXPECT_EQ(checked.exit_code, 1) << checked;
+  EXPECT_TRUE(holds(checked.out, {"triangle 105: area 2 is above 1.5", "triangle 101: area 2 is above 1.5",
+                                  "smallest angle            45            triangle 105 at"}))
+      << checked;
+  write("turned.2dm", "MESH2D\nE3T 105 1 2 3 1\nE3T 101 1 4 3 1\n" + nodes);
+  const Ran refined = pardel({"mesh", "turned.2dm", "--refine", "-o", "r.vtu"});
+  EXPECT_EQ(refined.exit_code, 3) << refined;
+  EXPECT_TRUE(holds(refined.err, {"triangle 101"})) << refined;
+}
+
 /// A square, and two triangles of which the second one overlaps the first one.
 class OverlapInFiles : public Workshop {
  protected:

@@ -50,6 +50,20 @@ TEST(TwoDm, of_other_programs_has_any_order_gaps_between_numbers_and_other_cards
   EXPECT_EQ(mesh.constrained_edges, edges);
 }
 
+TEST(TwoDm, triangles_keep_their_numbers_for_messages) {
+  const TemporaryFolder folder;
+  using Numbers = std::vector<std::uint64_t>;
+  const auto numbers = [&](const std::string& first, const std::string& second) {
+    return read_2dm(folder, "MESH2D\nE3T " + first + " 1 2 3 1\nE3T " + second +
+                                " 1 3 4 1\nND 1 0 0 0\nND 2 1 0 0\nND 3 1 1 0\nND 4 0 1 0\n");
+  };
+  EXPECT_EQ(numbers("101", "105").numbers.of_triangles, (Numbers{101, 105}));
+  EXPECT_EQ(numbers("2", "1").numbers.of_triangles, (Numbers{2, 1}));
+  EXPECT_EQ(numbers("1", "2").numbers.of_triangles, Numbers());
+  EXPECT_EQ(number_of_triangle_in_file(numbers("101", "105"), 1), 105U);
+  EXPECT_EQ(number_of_triangle_in_file(numbers("1", "2"), 1), 2U);
+}
+
 TEST(TwoDm, without_materials_has_no_regions) {
   const TemporaryFolder folder;
   EXPECT_TRUE(read_2dm(folder, "MESH2D\nNUM_MATERIALS_PER_ELEM 0\nE3T 1 1 2 3\nND 1 0 0 0\nND 2 1 0 0\nND 3 0 1 0\n")
@@ -73,6 +87,8 @@ TEST(TwoDm, errors_name_the_line_and_the_fault) {
   EXPECT_EQ(failure("MESH2D\nND 0 0 0 0\n"),
             "m.2dm:2: expected a node's number, a whole number from 1 to 2147483647, found \"0\"");
   EXPECT_EQ(failure(nodes + "ND 2 5 5 5\n"), "m.2dm:6: two nodes have the number 2");
+  EXPECT_EQ(failure(nodes + "E3T 5 1 2 3 1\nE3T 1 1 2 3 1\nE3T 5 2 3 1 1\n"),
+            "m.2dm:8: two triangles have the number 5");
   EXPECT_EQ(failure(nodes + "E3T 1 1 2 4 1\n"), "m.2dm:5: there is no node 4");
   EXPECT_EQ(failure(nodes + "E3T 1 1 2 3\n"),
             "m.2dm:5: expected a material, a whole number, found the end of the line");
