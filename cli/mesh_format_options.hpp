@@ -4,6 +4,7 @@
 #include <CLI/App.hpp>
 
 #include "choice.hpp"
+#include "marker_value.hpp"
 #include "mesh_format.hpp"
 #include "names.hpp"
 
@@ -23,6 +24,7 @@ inline void add_mesh_format_options(CLI::App& app, MeshFormatOptions& format) {
   app.add_option("--open-boundary", format.open_boundaries,
                  "In .gr3 and .14: edges of the boundary with these markers are open; the others are land")
       ->delimiter(',')
+      ->check(marker_value())
       ->type_name("MARKER[,MARKER]");
 }
 

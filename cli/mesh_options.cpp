@@ -12,6 +12,7 @@
 #include "choice.hpp"
 #include "distinct_files.hpp"
 #include "input.hpp"
+#include "marker_value.hpp"
 #include "memory.hpp"
 #include "names.hpp"
 #include "progress_option.hpp"
@@ -95,6 +96,7 @@ CLI::Option* add_keep_option(CLI::App& app, Options& options) {
                   "Split no segment with one of these markers in the mesh; triangles that miss a bound for this\n"
                   "reason are listed as kept_segment")
       ->delimiter(',')
+      ->check(marker_value())
       ->type_name("MARKER,...")
       ->group("Limits");
 }

@@ -202,10 +202,12 @@ TEST_F(Keep, refuses_a_repair_that_moves_kept_points) {
   EXPECT_TRUE(holds(refused.err, {"near.poly: --repair would move point ", "--keep 3 keeps"})) << refused.err;
 }
 
-TEST_F(Keep, needs_whole_numbers) {
-  const Ran ran = pardel({"mesh", "two.poly", "-o", "m.ele", "--keep", "1,x"});
-  EXPECT_EQ(ran.exit_code, 2) << ran;
-  EXPECT_TRUE(holds(ran.err, {"--keep"}));
+TEST_F(Keep, needs_whole_numbers_at_least_one) {
+  for (const std::string markers : {"1,x", "", ","}) {
+    const Ran ran = pardel({"mesh", "two.poly", "-o", "m.ele", "--keep", markers});
+    EXPECT_EQ(ran.exit_code, 2) << markers << ran;
+    EXPECT_TRUE(holds(ran.err, {"--keep"})) << ran;
+  }
 }
 
 }  // namespace
