@@ -91,12 +91,16 @@ Status check_boundary(const Mesh& mesh) {
   return Done{};
 }
 
-Result<Pslg> domain_of(const Mesh& mesh) {
-  Pslg pslg;
+void take_points(Pslg& pslg, const Mesh& mesh) {
   pslg.points.assign(mesh.points.begin(), mesh.points.end());
   pslg.attributes_per_point = mesh.attributes_per_point;
   pslg.point_attributes.assign(mesh.point_attributes.begin(), mesh.point_attributes.end());
   pslg.point_markers.assign(mesh.point_markers.begin(), mesh.point_markers.end());
+}
+
+Result<Pslg> domain_of(const Mesh& mesh) {
+  Pslg pslg;
+  take_points(pslg, mesh);
   EdgeSet walls;
   for (const ConstrainedEdge& edge : mesh.constrained_edges) walls.edges.push_back({edge.a, edge.b, edge.marker});
   const std::vector<Segment> outline = boundary(mesh);

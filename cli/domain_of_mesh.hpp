@@ -7,6 +7,9 @@
 
 namespace pardel::cli {
 
+/// Gives the points of the mesh to a Pslg, with their attributes and markers, in the place of its own. Time O(n).
+void take_points(Pslg& pslg, const Mesh& mesh);
+
 /// Returns a Pslg with the points of the mesh, with its constrained edges and boundary edges as segments, with one
 /// point in each hole, and with one region for each face whose triangles have an attribute. If triangles of the same
 /// face have different attributes, there are no regions. Time O(n log n).

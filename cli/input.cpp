@@ -34,11 +34,19 @@ long long first_number(std::istream& in, long long fallback) {
   return fallback;
 }
 
+/// A .poly that was written with a mesh of second order refers to the nodes of the .node, of which the reader of the
+/// mesh has removed the middles of edges. It has read the segments from the same .poly.
+void remove_middles(Pslg& pslg, const Mesh& mesh) {
+  take_points(pslg, mesh);
+  pslg.segments.clear();
+  for (const ConstrainedEdge& edge : mesh.constrained_edges) pslg.segments.push_back({edge.a, edge.b, edge.marker});
+}
+
 struct PolyBeside {
   std::optional<Pslg> pslg;  ///< none if there is no .poly, or an unused one
   std::string note;          ///< why it is not used
 };
-/// The .poly beside a mesh in Triangle's files, if it has as many points as the mesh.
+/// The .poly beside a mesh in Triangle's files, if it has as many points as the mesh, or if it was written with it.
 Result<PolyBeside> poly_beside(const fs::path& file, const Mesh& mesh) {
   const fs::path poly = fs::path(file).replace_extension(".poly");
   const bool triangle_files = file.extension() == ".node" || file.extension() == ".ele";
@@ -46,6 +54,7 @@ Result<PolyBeside> poly_beside(const fs::path& file, const Mesh& mesh) {
   if (!triangle_files || !fs::exists(poly, ignored)) return PolyBeside{};
   Result<Pslg> pslg = read_pslg(poly);
   if (!pslg) return pslg.error();
+  if (pslg->points.size() > mesh.points.size() && !has_own_points(poly)) remove_middles(*pslg, mesh);
   if (pslg->points.size() == mesh.points.size()) return PolyBeside{std::move(*pslg), {}};
   if (!has_own_points(poly)) return PolyBeside{};  // read_mesh() has read its segments
   return PolyBeside{

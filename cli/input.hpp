@@ -40,8 +40,8 @@ struct Domain {
 [[nodiscard]] bool has_own_points(const std::filesystem::path& poly);
 
 /// The domain of a mesh that was read from `file`. If the mesh is in Triangle's files and a .poly of the same name
-/// exists with as many points as the mesh, this .poly is the domain. Otherwise the domain is made of the mesh's
-/// constrained edges and boundary.
+/// exists with as many points as the mesh, or with none of its own, this .poly is the domain. Otherwise the domain is
+/// made of the mesh's constrained edges and boundary.
 [[nodiscard]] Result<Pslg> domain_with(const std::filesystem::path& file, const Mesh& mesh);
 
 /// A mesh to refine, and its domain as domain_with() returns it.

@@ -89,6 +89,21 @@ TEST_F(ConvertCommand, triangles_files_keep_their_numbering_holes_and_regions) {
   EXPECT_EQ(table("z.ele")[1], (std::vector<double>{0, 0, 1, 2}));
 }
 
+/// Its .poly refers to the nodes of the .node, the middles of edges among them.
+TEST_F(ConvertCommand, a_mesh_of_second_order_keeps_the_holes_the_regions_and_their_caps) {
+  ASSERT_EQ(pardel({"mesh", "in.poly", "-o", "second.ele", "--order", "2"}).exit_code, 0);
+  EXPECT_EQ(pardel({"convert", "second.ele", "first.ele"}).exit_code, 0);
+  for (const std::string suffix : {".node", ".ele", ".poly"}) EXPECT_EQ(read("first" + suffix), read("m" + suffix));
+  EXPECT_EQ(pardel({"convert", "second.ele", "again.ele", "--order", "2"}).exit_code, 0);
+  for (const std::string suffix : {".node", ".ele", ".poly"})
+    EXPECT_EQ(read("again" + suffix), read("second" + suffix));
+  for (const std::string order : {"1", "2"}) {
+    ASSERT_EQ(pardel({"mesh", "second.ele", "--refine", "-o", "fine.ele", "--order", order}).exit_code, 0);
+    EXPECT_TRUE(holds(read("fine.poly"), {"\n1\n1 0.5 0.5\n2\n1 0.1 0.1 7 0.01\n2 1.5 0.5 9 -1\n"}))
+        << read("fine.poly");
+  }
+}
+
 TEST_F(ConvertCommand, a_hole_is_found_where_the_format_has_none) {
   convert("m.vtu", "v.node");
   EXPECT_EQ(pardel({"mesh", "v.node", "--refine", "-o", "finer.vtu", "--max-area", "0.001", "--check"}).exit_code, 0);
