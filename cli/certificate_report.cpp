@@ -28,8 +28,7 @@ void print_certificate(const Certificate& certificate, const std::filesystem::pa
   if (certificate.valid) return;
   fmt::print(
       "{}\nnote    numbers are those of the files, or count from 0 where a file has none; triangles of a .msh count "
-      "from "
-      "1; --json counts from 0\n",
+      "from 1; --json counts from 0\n",
       findings_text(certificate, all_in, numbers, max_circumradius));
 }
 

@@ -101,8 +101,7 @@ void take_points(Pslg& pslg, const Mesh& mesh) {
 Result<Pslg> domain_of(const Mesh& mesh) {
   Pslg pslg;
   take_points(pslg, mesh);
-  EdgeSet walls;
-  for (const ConstrainedEdge& edge : mesh.constrained_edges) walls.edges.push_back({edge.a, edge.b, edge.marker});
+  EdgeSet walls = to_edge_set(mesh.constrained_edges);
   const std::vector<Segment> outline = boundary(mesh);
   walls.edges.insert(walls.edges.end(), outline.begin(), outline.end());
   walls.finish();

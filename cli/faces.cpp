@@ -22,6 +22,12 @@ bool EdgeSet::contains(Index a, Index b) const {
   return std::binary_search(edges.begin(), edges.end(), Segment{a, b}, before);
 }
 
+EdgeSet to_edge_set(const std::vector<ConstrainedEdge>& edges) {
+  EdgeSet set;
+  for (const ConstrainedEdge& edge : edges) set.edges.push_back({edge.a, edge.b, edge.marker});
+  return set;
+}
+
 std::vector<Index> faces(const Mesh& mesh, const EdgeSet& walls) {
   std::vector<Index> face(mesh.triangles.size(), no_index);
   Index count = 0;

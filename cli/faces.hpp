@@ -20,6 +20,9 @@ struct EdgeSet {
   [[nodiscard]] bool contains(Index a, Index b) const;
 };
 
+/// The edges with their markers, not yet sorted.
+[[nodiscard]] EdgeSet to_edge_set(const std::vector<ConstrainedEdge>& edges);
+
 struct EndsOfSide {
   Index from, to;
 };

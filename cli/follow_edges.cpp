@@ -102,17 +102,18 @@ Result<FollowedEdges> follow_edges(Mesh& mesh, const Pslg* domain) {
   std::vector<ConstrainedEdge> cut = mesh.constrained_edges;
   std::erase_if(cut, [&](const ConstrainedEdge& edge) { return !edges.contains(edge.a, edge.b); });
   FollowedEdges followed;
+  std::vector<std::vector<ConstrainedEdge>> pieces;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    const std::vector<ConstrainedEdge> pieces = pieces_of(lines[i], inside[i]);
-    cut.insert(cut.end(), pieces.begin(), pieces.end());
-    if (pieces.size() == 1) continue;
+    pieces.push_back(pieces_of(lines[i], inside[i]));
+    cut.insert(cut.end(), pieces[i].begin(), pieces[i].end());
+    if (pieces[i].size() == 1) continue;
     ++followed.lines;
-    followed.edges += pieces.size();
+    followed.edges += pieces[i].size();
   }
   const EdgeSet in_holes = domain != nullptr ? lines_in_holes(mesh, cut, domain->holes) : EdgeSet{};
   std::vector<ConstrainedEdge> wrong;
   for (std::size_t i = 0; i < lines.size(); ++i)
-    if (!std::ranges::all_of(pieces_of(lines[i], inside[i]), [&](const ConstrainedEdge& piece) {
+    if (!std::ranges::all_of(pieces[i], [&](const ConstrainedEdge& piece) {
           return edges.contains(piece.a, piece.b) || in_holes.contains(piece.a, piece.b);
         }))
       wrong.push_back(lines[i]);

@@ -38,8 +38,7 @@ long long first_number(std::istream& in, long long fallback) {
 /// mesh has removed the middles of edges. It has read the segments from the same .poly.
 void remove_middles(Pslg& pslg, const Mesh& mesh) {
   take_points(pslg, mesh);
-  pslg.segments.clear();
-  for (const ConstrainedEdge& edge : mesh.constrained_edges) pslg.segments.push_back({edge.a, edge.b, edge.marker});
+  pslg.segments = to_edge_set(mesh.constrained_edges).edges;
 }
 
 struct PolyBeside {
@@ -73,8 +72,7 @@ Result<Pslg> domain_or_outline(std::optional<Pslg> poly, const fs::path& file, c
 
 /// The edges of the mesh as segments, each once.
 std::vector<Segment> edges_as_segments(const Mesh& mesh) {
-  EdgeSet all;
-  for (const ConstrainedEdge& edge : mesh.constrained_edges) all.edges.push_back({edge.a, edge.b, edge.marker});
+  EdgeSet all = to_edge_set(mesh.constrained_edges);
   all.finish();
   return std::move(all.edges);
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "../core/support/shortest.hpp"
+#include "around_mesh.hpp"
 #include "faces.hpp"
 
 namespace pardel::cli {
@@ -18,12 +19,7 @@ bool has(const Segment& segment, int marker) {
 bool has_boundary_without_segment(const CoarseMesh& coarse) {
   EdgeSet segments{coarse.domain.pslg.segments};
   segments.finish();
-  return std::ranges::any_of(coarse.mesh.triangles, [&](const Triangle& triangle) {
-    for (int i = 0; i < 3; ++i)
-      if (const auto [from, to] = side(triangle, i); triangle.n[i] == no_index && !segments.contains(from, to))
-        return true;
-    return false;
-  });
+  return std::ranges::any_of(boundary(coarse.mesh), [&](const Segment& s) { return !segments.contains(s.a, s.b); });
 }
 
 }  // namespace

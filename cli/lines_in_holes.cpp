@@ -11,8 +11,7 @@ namespace {
 
 /// The edges with no part of the domain beside them.
 EdgeSet outside_domain(const Mesh& mesh, const std::vector<ConstrainedEdge>& drawn, const std::vector<Point>& holes) {
-  EdgeSet all;
-  for (const ConstrainedEdge& edge : drawn) all.edges.push_back({edge.a, edge.b});
+  EdgeSet all = to_edge_set(drawn);
   all.finish();
   Pslg pslg = part_of(mesh, all.edges);
   pslg.holes = holes;

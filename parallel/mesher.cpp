@@ -24,8 +24,6 @@
 #include "sizing/graded_size.hpp"
 #include "sizing/guarded.hpp"
 #include "sizing/local_bound.hpp"
-#include "threads/parallel_for.hpp"
-#include "triangulation/limits.hpp"
 
 namespace pardel {
 

@@ -182,10 +182,4 @@ Result<SnapEffect> effect_of_snap(const ValidPslg& domain, double snap) try {
   return error_of_exception();
 }
 
-Result<bool> keeps_all_parts(const ValidPslg& domain, double snap) {
-  const Result<SnapEffect> effect = effect_of_snap(domain, snap);
-  if (!effect) return effect.error();
-  return effect->keeps_all_parts;
-}
-
 }  // namespace pardel

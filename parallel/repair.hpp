@@ -106,7 +106,5 @@ struct SnapEffect {
 /// Errors and time: those of triangulate() and repair(); a repair that fails because nothing of the domain is left is
 /// no error.
 [[nodiscard]] Result<SnapEffect> effect_of_snap(const ValidPslg& domain, double snap);
-/// SnapEffect::keeps_all_parts.
-[[nodiscard]] Result<bool> keeps_all_parts(const ValidPslg& domain, double snap);
 
 }  // namespace pardel

@@ -1,12 +1,11 @@
 #include "vtk_data.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <utility>
 
 #include "mesh_readers.hpp"
 #include "triangle_sections.hpp"
+#include "vtk_cells.hpp"
 #include "vtk_names.hpp"
 #include "vtu_names.hpp"
 #include "whole_markers.hpp"
@@ -198,9 +197,7 @@ void VtkData::take_markers_of_points() {
 void VtkData::take_markers_of_lines(const std::vector<std::size_t>& cell_of_line) {
   const auto field = std::ranges::find_if(mesh_.fields, is_marker_of_triangles);
   if (field == mesh_.fields.end()) return;
-  Array<double> of_lines;
-  for (const std::size_t cell : cell_of_line) of_lines.push_back(field->values[cell]);
-  const std::optional<Array<int>> markers = whole_markers(of_lines.span());
+  const std::optional<Array<int>> markers = whole_markers(field->values.span(), cell_of_line);
   if (!markers) return;
   for (std::size_t i = 0; i < cell_of_line.size(); ++i) {
     mesh_.constrained_edges[i].marker = (*markers)[i];
@@ -208,7 +205,7 @@ void VtkData::take_markers_of_lines(const std::vector<std::size_t>& cell_of_line
   }
 }
 
-/// A field that other cells do not have is 0 or not a number there. No triangle comes after its cell.
+/// A field that other cells do not have is 0 or not a number there.
 void VtkData::keep_triangles(Field& field, const std::vector<std::size_t>& cell_of_triangle,
                              const std::vector<std::size_t>& cell_of_line) {
   Array<double>& values = field.values;
@@ -217,9 +214,7 @@ void VtkData::keep_triangles(Field& field, const std::vector<std::size_t>& cell_
     return std::any_of(&values[cell * n], &values[cell * n] + n, says_something);
   };
   if (std::ranges::any_of(cell_of_line, has_values)) mesh_.left_out.add("values in cells that are not triangles");
-  for (std::size_t t = 0; t < cell_of_triangle.size(); ++t)
-    for (std::size_t k = 0; k < n; ++k) values[t * n + k] = values[cell_of_triangle[t] * n + k];
-  values.resize(cell_of_triangle.size() * n);
+  keep_cells(values, n, 0, cell_of_triangle);
 }
 
 }  // namespace pardel::files

@@ -10,8 +10,6 @@
 
 #include "../formats.hpp"
 #include "../neighbours.hpp"
-#include "../support/same_attribute.hpp"
-#include "../support/smallest_angle.hpp"
 #include "equal_points.hpp"
 #include "group_names.hpp"
 #include "mesh_readers.hpp"
@@ -222,9 +220,7 @@ class VtuMesh {
     const VtuArray* array = find("CellData", "marker");
     auto values = values_of_markers(array, cells());
     if (!values) return;
-    Array<double> of_lines;
-    for (const std::size_t line : cell_of_line_) of_lines.push_back((*values)[line]);
-    const auto markers = whole_markers(of_lines.span());
+    const auto markers = whole_markers(values->span(), cell_of_line_);
     if (!markers) return;
     markers_of_lines_ = array;
     for (std::size_t i = 0; i < cell_of_line_.size(); ++i) {
@@ -293,14 +289,12 @@ class VtuMesh {
     if (!is_quality(field, mesh_)) mesh_.fields.push_back(std::move(field));
   }
 
-  /// Of the values of cells, leaves those of triangles. No triangle comes after its cell, so they move forwards.
+  /// Of the values of cells, leaves those of triangles.
   void keep_triangles(Array<double>& values, std::size_t components) {
     for (const std::size_t line : cell_of_line_)
       for (std::size_t k = 0; k < components; ++k)
         if (!std::isnan(values[line * components + k])) mesh_.left_out.add("values in cells that are not triangles");
-    for (std::size_t t = leading_triangles_; t < mesh_.triangles.size(); ++t)
-      for (std::size_t k = 0; k < components; ++k) values[t * components + k] = values[cell_of(t) * components + k];
-    values.resize(mesh_.triangles.size() * components);
+    keep_cells(values, components, leading_triangles_, cell_of_triangle_);
   }
 
   void read_field_data() {

@@ -23,6 +23,14 @@ namespace pardel::files {
   return markers;
 }
 
+/// The same of the values of some cells.
+[[nodiscard]] inline std::optional<Array<int>> whole_markers(std::span<const double> values,
+                                                             std::span<const std::size_t> cells) {
+  Array<double> of_cells;
+  for (const std::size_t cell : cells) of_cells.push_back(values[cell]);
+  return whole_markers(of_cells.span());
+}
+
 /// False for 0 and for what is not a number: a cell has one of these where an array says nothing about it.
 [[nodiscard]] inline bool says_something(double value) { return value != 0 && !std::isnan(value); }
 

@@ -436,13 +436,15 @@ TEST(Repair, refuses_a_snapping_distance_that_is_not_a_length) {
     EXPECT_EQ(repair(square(1), {.snap = snap}).error().kind, ErrorKind::usage);
 }
 
+bool keeps_all_parts(const ValidPslg& domain, double snap) { return effect_of_snap(domain, snap)->keeps_all_parts; }
+
 TEST(KeepsAllParts, is_false_for_a_distance_that_removes_a_thin_part_or_a_hole_or_a_region) {
   Pslg thin = square(1);
   add_polygon(thin, {{2, 0}, {3, 0}, {3, 1e-8}, {2, 1e-8}});
   const ValidPslg parts = *validate(thin);
-  EXPECT_TRUE(*keeps_all_parts(parts, 5e-9));
-  EXPECT_FALSE(*keeps_all_parts(parts, 2e-8));
-  EXPECT_FALSE(*keeps_all_parts(*validate(square(1)), 3));
+  EXPECT_TRUE(keeps_all_parts(parts, 5e-9));
+  EXPECT_FALSE(keeps_all_parts(parts, 2e-8));
+  EXPECT_FALSE(keeps_all_parts(*validate(square(1)), 3));
 
   Pslg hole = square(1);
   add_polygon(hole, {{0.2, 0.5}, {0.8, 0.5}, {0.8, 0.5 + 1e-8}, {0.2, 0.5 + 1e-8}});
@@ -450,8 +452,8 @@ TEST(KeepsAllParts, is_false_for_a_distance_that_removes_a_thin_part_or_a_hole_o
   hole.holes = {{0.5, 0.5 + 5e-9}};
   region.regions = {{{0.5, 0.5 + 5e-9}, 1, INFINITY}};
   for (const Pslg& pslg : {hole, region}) {
-    EXPECT_TRUE(*keeps_all_parts(*validate(pslg), 1e-10));
-    EXPECT_FALSE(*keeps_all_parts(*validate(pslg), 2e-8));
+    EXPECT_TRUE(keeps_all_parts(*validate(pslg), 1e-10));
+    EXPECT_FALSE(keeps_all_parts(*validate(pslg), 2e-8));
   }
 }
 
@@ -460,8 +462,8 @@ TEST(KeepsAllParts, is_false_for_a_distance_that_cuts_a_corner_off) {
   Pslg sliver = square(1);
   sliver.points.push_back({0.125, 0.75});
   sliver.segments.insert(sliver.segments.end(), {{4, 1, 0}, {1, 3, 0}});
-  EXPECT_FALSE(*keeps_all_parts(*validate(sliver), 0.19));
-  EXPECT_TRUE(*keeps_all_parts(*validate(sliver), 0.09));
+  EXPECT_FALSE(keeps_all_parts(*validate(sliver), 0.19));
+  EXPECT_TRUE(keeps_all_parts(*validate(sliver), 0.09));
 }
 
 TEST(EffectOfSnap, counts_what_merges_and_the_faces) {
@@ -486,7 +488,7 @@ TEST(KeepsAllParts, is_true_for_a_distance_that_closes_a_gap_inside_the_domain) 
   Pslg sliver = square(1);
   sliver.points.insert(sliver.points.end(), {{0.25, 1e-8}, {0.75, 1e-8}});
   sliver.segments.push_back({4, 5, 0});
-  EXPECT_TRUE(*keeps_all_parts(*validate(sliver), 2e-8));
+  EXPECT_TRUE(keeps_all_parts(*validate(sliver), 2e-8));
 }
 
 /// Segments through nearly one point, whose slopes differ by about 2^-bits: each round of the repair can cause new
