@@ -15,7 +15,7 @@ endfunction()
 # else.
 function(pardel_link_public_headers include)
   file(REMOVE_RECURSE ${include}/pardel)  # mpi/ adds its header later
-  foreach(folder ${PARDEL_MESHER_FOLDERS} distributed ${PARDEL_CHECKER_FOLDERS})
+  foreach(folder ${PARDEL_MESHER_FOLDERS} off_the_shelf distributed ${PARDEL_CHECKER_FOLDERS})
     file(MAKE_DIRECTORY ${include}/pardel/${folder})
     pardel_public_headers(${folder} headers)
     foreach(header ${headers})

@@ -86,12 +86,18 @@ Result<RunPlan> plan_run(const Pslg& pslg, const Goal& goal, const DomainTriangu
                          const Threads& threads) {
   if (ends_somewhere(goal.size)) require_coverage(goal.size, corners_of(domain.triangulation, threads), threads);
   Goal graded = guarded(goal);
-  if (is_graded(graded)) graded.size = graded_size(graded, pslg, threads);
+  if (is_graded(graded)) {
+    graded.size = graded_size(graded, pslg, threads);
+    graded.grading = INFINITY;
+    graded.feature_edges = 0;
+    graded.sources.clear();
+  }
   std::vector<double> caps;
-  for (const Region& region : pslg.regions) caps.push_back(region.max_area);
-  Criteria criteria(graded, placement_for(goal, options, false), std::move(caps));
+  if (goal.region_caps)
+    for (const Region& region : pslg.regions) caps.push_back(region.max_area);
+  Criteria criteria(graded, placement_for(goal, options, false), caps);
   if (Status wanted = announce_size(domain, goal, criteria, options, threads); !wanted) return wanted.error();
-  return RunPlan{std::move(criteria), edges_of_patches(pslg, goal, options)};
+  return RunPlan{std::move(graded), std::move(caps), std::move(criteria), edges_of_patches(pslg, goal, options)};
 }
 
 }  // namespace pardel::engine

@@ -11,6 +11,8 @@ namespace pardel::engine {
 
 /// The criteria of the refinement, and the patches beside it.
 struct RunPlan {
+  Goal goal;                 ///< the goal with guarded functions; all its bounds on lengths are `max_edge` and `size`
+  std::vector<double> caps;  ///< for each region its area cap; empty without Goal::region_caps
   Criteria criteria;
   /// The lengths of the edges of patches that keep the goal: in each region, and last in triangles without a region.
   /// Empty if the interior is to be refined.

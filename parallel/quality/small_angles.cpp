@@ -12,6 +12,7 @@
 #include "../arithmetic/distance.hpp"
 #include "../arithmetic/expansion.hpp"
 #include "../arithmetic/predicates.hpp"
+#include "../arithmetic/projected.hpp"
 
 namespace pardel::engine {
 namespace {
@@ -22,20 +23,6 @@ double degrees(double cosine) { return std::acos(cosine) * 180 / std::numbers::p
 double shell(double length) {
   const double radius = std::ldexp(1.0, std::ilogb(length));  // length / 2 < radius <= length
   return length < 1.5 * radius ? 0.5 * radius : radius;
-}
-
-/// The orthogonal projection of p onto the line through a and b, rounded once. Without the projection, the rounding
-/// errors of repeated splits would add up. Precondition: p lies on the line up to rounding. The leading products then
-/// nearly cancel, and their difference is exact.
-Point projected(Point p, Point a, Point b) {
-  using namespace exact;
-  const Two dx = two_difference(b.x, a.x), dy = two_difference(b.y, a.y);
-  const Two ex = two_difference(p.x, a.x), ey = two_difference(p.y, a.y);
-  const Two left = two_product(ex.head, dy.head), right = two_product(ey.head, dx.head);
-  const double rest = (ex.head * dy.tail + ex.tail * dy.head) - (ey.head * dx.tail + ey.tail * dx.head);
-  const double cross = (left.head - right.head) + ((left.tail - right.tail) + rest);
-  const double off = cross / (dx.head * dx.head + dy.head * dy.head);
-  return {p.x - off * dy.head, p.y + off * dx.head};
 }
 
 /// The place of the line through a and b that has the x coordinate of p, rounded once. Precondition: a.x != b.x.

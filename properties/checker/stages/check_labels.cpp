@@ -128,6 +128,19 @@ std::vector<std::pair<Index, int>> markers_at_vertices(const Subject& subject, c
   return markers;
 }
 
+/// The markers of the constrained edges at a vertex, "1 or 3", or "0"; empty if `given` is one of them.
+std::string markers_instead_of(int given, Index vertex, std::span<const std::pair<Index, int>> markers) {
+  auto at = std::lower_bound(markers.begin(), markers.end(), vertex,
+                             [](const auto& entry, Index key) { return entry.first < key; });
+  if (at == markers.end() || at->first != vertex) return given == 0 ? "" : "0";
+  std::string text;
+  for (; at != markers.end() && at->first == vertex; ++at) {
+    if (at->second == given) return {};
+    text += (text.empty() ? "" : " or ") + to_text(at->second);
+  }
+  return text;
+}
+
 /// The marker of a vertex is its own non-zero marker from the input, else a non-zero marker of one of the constrained
 /// edges at it, else 0. (Edges on the boundary have their own marker, or 1.)
 void check_vertex_markers(const Subject& subject, const Domain& domain, const Chains& chains,
@@ -143,22 +156,9 @@ void check_vertex_markers(const Subject& subject, const Domain& domain, const Ch
     const Index input = inputs.input(vertex);
     const bool has_own = input != no_index && input < subject.pslg.point_markers.size();
     const int own = has_own ? subject.pslg.point_markers[input] : 0;
-    std::string expected;
-    if (own != 0) {
-      if (given == own) return;
-      expected = to_text(own);
-    } else {
-      if ((given == 0 && is_marked[v] == 0) || !adjacency.has_triangle(vertex)) return;
-      const auto first = std::lower_bound(markers.begin(), markers.end(), vertex,
-                                          [](const auto& entry, Index key) { return entry.first < key; });
-      const bool none = first == markers.end() || first->first != vertex;
-      if (none && given == 0) return;
-      if (none) expected = "0";
-      for (auto at = first; at != markers.end() && at->first == vertex; ++at) {
-        if (at->second == given) return;
-        expected += (expected.empty() ? "" : " or ") + to_text(at->second);
-      }
-    }
+    if (own != 0 ? given == own : (given == 0 && is_marked[v] == 0) || !adjacency.has_triangle(vertex)) return;
+    const std::string expected = own != 0 ? to_text(own) : markers_instead_of(given, vertex, markers);
+    if (expected.empty()) return;
     mine.add(ViolationKind::wrong_vertex_marker, {subject.names.vertex(vertex)}, {mesh.points[v]},
              "vertex " + vertex_number(subject.names.vertex(vertex)) + " has marker " + to_text(given) +
                  " instead of " + expected);

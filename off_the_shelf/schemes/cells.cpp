@@ -1,0 +1,194 @@
+// The paper's scheme: cells of several colours, and a phase for each colour. A task gets the triangles whose
+// circumdisk, or the diametral disk of one of their constrained sides, meets its cell: those that an insertion in the
+// cell can change or be blocked by. All of them lie in the box of the cell if circumradii are small enough (T1), and
+// the boxes of one colour are disjoint (THEORY.md, Lattice and Quadtree). What lies in no box is not given to any task,
+// so the tasks of a phase never portion a triangle.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include "../../parallel/decomposition/lattice_levels.hpp"
+#include "../../parallel/decomposition/tiles.hpp"
+#include "../../parallel/planning/expected_size.hpp"
+#include "../../parallel/threads/parallel_for.hpp"
+#include "../../parallel/triangulation/radii.hpp"
+#include "../../parallel/triangulation/triangle_shape.hpp"
+#include "portions.hpp"
+#include "schemes.hpp"
+
+namespace pardel::engine {
+namespace {
+
+struct Disk {
+  Point centre;
+  double squared_radius;
+};
+
+Disk circumdisk(const Shape& shape) {
+  const Point p = shape.p[0];
+  const Point to_centre = to_circumcentre({shape.p[1].x - p.x, shape.p[1].y - p.y},
+                                          {shape.p[2].x - p.x, shape.p[2].y - p.y}, shape.twice_area);
+  return {{p.x + to_centre.x, p.y + to_centre.y}, to_centre.x * to_centre.x + to_centre.y * to_centre.y};
+}
+
+Disk diametral_disk(Point a, Point b) {
+  const double dx = b.x - a.x, dy = b.y - a.y;
+  return {{0.5 * (a.x + b.x), 0.5 * (a.y + b.y)}, 0.25 * (dx * dx + dy * dy)};
+}
+
+/// The rectangle of a cell. At the border of the tiles it extends to infinity, as the box of the cell does.
+SubdomainCell rectangle_of(const Tiles& tiles, Index cell) {
+  const Point centre = tiles.centre_of(cell);
+  const auto [half_width, half_height] = tiles.half_size(cell);
+  const Box box = tiles.box_of(cell);
+  return {{box.min_x == -INFINITY ? -INFINITY : centre.x - half_width,
+           box.min_y == -INFINITY ? -INFINITY : centre.y - half_height},
+          {box.max_x == INFINITY ? INFINITY : centre.x + half_width,
+           box.max_y == INFINITY ? INFINITY : centre.y + half_height}};
+}
+
+bool meets(const Disk& disk, const SubdomainCell& cell) {
+  const double dx = disk.centre.x - std::clamp(disk.centre.x, cell.low.x, cell.high.x);
+  const double dy = disk.centre.y - std::clamp(disk.centre.y, cell.low.y, cell.high.y);
+  return dx * dx + dy * dy <= disk.squared_radius;
+}
+
+/// One sweep: a phase for each colour.
+class CellSweep {
+ public:
+  CellSweep(MesherRun& run, const Tiles& tiles) : run_(run), t_(run.mesh.t), tiles_(tiles) {
+    for (Index cell = 0; cell < tiles.cells(); ++cell) rectangles_.push_back(rectangle_of(tiles, cell));
+  }
+
+  /// `to_split`: the triangles that wait when the sweep starts. Returns the number of new vertices.
+  std::uint64_t run(std::span<const TriangleId> to_split) {
+    find_cells_with_work(to_split);
+    std::uint64_t made = 0;
+    for (unsigned colour = 0; colour < tiles_.colours(); ++colour) {
+      run_.threads.ask();
+      const Portions portions = portions_of(colour);
+      if (!portions.all.empty()) made += run_tasks(run_, portions.all, portions.portion_of);
+    }
+    return made;
+  }
+
+ private:
+  void find_cells_with_work(std::span<const TriangleId> to_split) {
+    has_work_.assign(tiles_.cells(), 0);
+    for (const TriangleId id : to_split) {
+      const Shape shape(t_, t_.slots[id]);
+      has_work_[tiles_.cell_of(circumdisk(shape).centre)] = 1;
+      has_work_[tiles_.cell_of(centroid_of(shape.p[0], shape.p[1], shape.p[2]))] = 1;
+    }
+  }
+
+  /// The cell of a colour, with work, whose task needs the triangle; no_index if there is none. There is at most one:
+  /// the boxes of a colour are disjoint.
+  [[nodiscard]] Index cell_for(TriangleId id, unsigned colour) const {
+    const Slot& slot = t_.slots[id];
+    const Shape shape(t_, slot);
+    const Index home = tiles_.cell_of(centroid_of(shape.p[0], shape.p[1], shape.p[2]));
+    if (is_for(home, colour) && is_needed(home, slot, shape)) return home;
+    for (const Index cell : tiles_.touching(home))
+      if (is_for(cell, colour) && is_needed(cell, slot, shape)) return cell;
+    return no_index;
+  }
+  [[nodiscard]] bool is_for(Index cell, unsigned colour) const {
+    return has_work_[cell] != 0 && tiles_.colour_of(cell) == colour;
+  }
+  [[nodiscard]] bool is_needed(Index cell, const Slot& slot, const Shape& shape) const {
+    const Box box = tiles_.box_of(cell);
+    if (!std::ranges::all_of(shape.p, [&](Point p) { return box.contains_half_open(p); })) return false;
+    if (meets(circumdisk(shape), rectangles_[cell])) return true;
+    for (unsigned side = 0; side < 3; ++side)
+      if (slot.n[side].constrained() &&
+          meets(diametral_disk(shape.p[next_corner[side]], shape.p[previous_corner[side]]), rectangles_[cell]))
+        return true;
+    return false;
+  }
+
+  [[nodiscard]] Portions portions_of(unsigned colour) const {
+    Portions portions;
+    portions.portion_of.assign(t_.slots.size(), no_index);
+    parallel_blocks(run_.threads, t_.slots.size(), [&](std::size_t first, std::size_t last, std::size_t) {
+      for (std::size_t id = first; id < last; ++id)
+        portions.portion_of[id] = cell_for(static_cast<TriangleId>(id), colour);
+    });
+    std::vector<Index> portion_of_cell(tiles_.cells(), no_index);
+    for (TriangleId id = 0; id < portions.portion_of.size(); ++id) {
+      const Index cell = portions.portion_of[id];
+      if (cell == no_index) continue;
+      if (portion_of_cell[cell] == no_index) {
+        portion_of_cell[cell] = static_cast<Index>(portions.all.size());
+        portions.all.push_back({{}, rectangles_[cell]});
+      }
+      portions.portion_of[id] = portion_of_cell[cell];
+      portions.all[portion_of_cell[cell]].triangles.push_back(id);
+    }
+    return portions;
+  }
+
+  MesherRun& run_;
+  const Triangulation& t_;
+  const Tiles& tiles_;
+  std::vector<SubdomainCell> rectangles_;
+  std::vector<char> has_work_;
+};
+
+/// The lattice with cells of about the wanted work that are at least four circumradii wide.
+Tiles lattice_for(const MesherRun& run, double tasks) {
+  const Triangulation& t = run.mesh.t;
+  const Box bounds = bounds_of(t);
+  const auto along = static_cast<Index>(std::clamp(std::ceil(std::sqrt(tasks)), 1.0, 4096.0));
+  const IndexAllocator triangles(static_cast<Index>(t.slots.size()), max_engine_triangles);
+  const double side = Lattice::radii_per_side * 1.02 * largest_radii(t, triangles, run.threads).radius;
+  return Tiles(with_cells_at_least(side, bounds, Lattice::over(bounds, along)));
+}
+
+/// The quadtree whose leaves have about the wanted work. A leaf is divided only if the circumradii in it and in the
+/// leaves around it fit its children.
+Tiles quadtree_for(const MesherRun& run, double work_per_leaf) {
+  const Triangulation& t = run.mesh.t;
+  Quadtree tree(bounds_of(t));
+  for (unsigned depth = 0; depth < Square::deepest; ++depth) {
+    std::vector<double> work(tree.cells(), 0), radius(tree.cells(), 0);
+    LocalHints hints;
+    for (TriangleId id = 0; id < t.slots.size(); ++id) {
+      const Shape shape(t, t.slots[id]);
+      const Index leaf = tree.cell_of(centroid_of(shape.p[0], shape.p[1], shape.p[2]));
+      work[leaf] += std::max(1.0, run.criteria.triangles_wanted(shape, run.mesh.assessor.region_of(id), hints));
+      radius[leaf] = std::max(radius[leaf], std::sqrt(circumdisk(shape).squared_radius));
+    }
+    std::vector<double> to_divide = work;
+    for (Index leaf = 0; leaf < tree.cells(); ++leaf) {
+      double around = radius[leaf];
+      for (const Index other : tree.touching(leaf)) around = std::max(around, radius[other]);
+      if (!(around <= tree.radius_that_fits(leaf) / 2)) to_divide[leaf] = 0;
+    }
+    if (std::ranges::all_of(to_divide, [&](double sum) { return sum <= work_per_leaf; })) break;
+    tree = tree.divided(to_divide, work_per_leaf);
+  }
+  return Tiles(std::move(tree));
+}
+
+}  // namespace
+
+void sweep_over_cells(MesherRun& run) {
+  constexpr double good_progress = 0.9;
+  double before = INFINITY;
+  for (std::uint32_t sweep = 0; sweep < run.how.most_sweeps; ++sweep) {
+    const std::vector<TriangleId> to_split = triangles_to_split(run);
+    const auto left = static_cast<double>(to_split.size());
+    if (to_split.empty() || left > good_progress * before) return;
+    before = left;
+    const double expected = expected_triangles(run.mesh.t, run.criteria, run.options.min_edge, run.threads);
+    const double per_task = run.how.triangles_per_task;
+    const Tiles tiles =
+        run.criteria.depends_on_place() ? quadtree_for(run, per_task) : lattice_for(run, expected / per_task);
+    ++run.report.sweeps;
+    if (CellSweep(run, tiles).run(to_split) == 0) return;
+  }
+}
+
+}  // namespace pardel::engine

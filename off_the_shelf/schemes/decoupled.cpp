@@ -1,0 +1,148 @@
+// Domain decoupling with borders from the mesh itself (after Linardakis and Chrisochoides, "Delaunay decoupling method
+// for parallel guaranteed quality planar mesh refinement", 2006, which uses a medial axis): the borders between parts
+// run along edges of the coarse mesh, whose angles keep the goal. They are split to their final length before the parts
+// are refined, so that no part needs another split of its border.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "../../parallel/arithmetic/distance.hpp"
+#include "../../parallel/arithmetic/predicates.hpp"
+#include "../../parallel/triangulation/flips.hpp"
+#include "../../parallel/triangulation/triangle_shape.hpp"
+#include "portions.hpp"
+#include "schemes.hpp"
+
+namespace pardel::engine {
+namespace {
+
+/// The pieces of a border in roots of the area wanted there. About the edges of the triangles beside it: longer pieces
+/// would not be Delaunay edges.
+constexpr double piece_of_unit_area = 1.3;
+
+/// Splits the edges between the portions of a phase.
+class BorderSplitter {
+ public:
+  BorderSplitter(MesherRun& run, std::vector<Index>& portion_of) : run_(run), t_(run.mesh.t), portion_of_(portion_of) {}
+
+  void run() {
+    const std::size_t triangles = t_.slots.size();
+    for (TriangleId id = 0; id < triangles; ++id)
+      for (unsigned side = 0; side < 3; ++side) {
+        const EdgeRef outer = t_.slots[id].n[side];
+        if (!outer.constrained() && id < outer.triangle() && portion_of_[id] != portion_of_[outer.triangle()])
+          split(EdgeRef(id, side));
+      }
+    keep_delaunay();
+  }
+
+ private:
+  /// Splits an edge into pieces of about their final length, unless this could force a small angle.
+  void split(EdgeRef e) {
+    const EdgeRef outer = t_.slot(e).n[e.side()];
+    if (is_thin(e.triangle()) || is_thin(outer.triangle())) return;
+    const Point a = t_.points[t_.slot(e).from(e.side())], b = t_.points[t_.slot(e).to(e.side())];
+    LocalHints hints;
+    const Point middle{0.5 * (a.x + b.x), 0.5 * (a.y + b.y)};
+    const double twice_area =
+        run_.criteria.twice_area_wanted(middle, run_.mesh.assessor.region_of(e.triangle()), hints);
+    const double pieces = std::ceil(distance(a, b) / (piece_of_unit_area * std::sqrt(twice_area / 2)));
+    if (!(pieces < 1e6)) return;
+    for (int i = 1; i < pieces; ++i) {
+      const double part = i / pieces;
+      if (!split_at({std::lerp(a.x, b.x, part), std::lerp(a.y, b.y, part)}, e)) return;
+    }
+  }
+  [[nodiscard]] bool is_thin(TriangleId id) const { return run_.criteria.bad_shape(Shape(t_, t_.slots[id])); }
+
+  /// Splits the edge at p. `e` becomes the rest of the edge, from p on. False if doubles do not resolve the triangles.
+  bool split_at(Point p, EdgeRef& e) {
+    const TriangleId left = e.triangle(), right = t_.slot(e).n[e.side()].triangle();
+    t_.turn(left, e.side());
+    t_.turn(right, t_.slots[left].n[0].side());
+    const auto [c, a, b] = t_.slots[left].v;
+    const VertexId d = t_.slots[right].v[0];
+    const auto ccw = [&](VertexId u, VertexId v) { return orient2d(t_.points[u], t_.points[v], p) > 0; };
+    e = EdgeRef(left, 0);
+    if (!ccw(c, a) || !ccw(b, c) || !ccw(a, d) || !ccw(d, b)) return false;
+    const auto vertex = static_cast<VertexId>(t_.points.size());
+    t_.points.push_back(p);
+    t_.origin.push_back(interior_vertex);
+    const TriangleId new_left = copy(left), new_right = copy(right);
+    // left = (c, p, b) and right = (d, b, p) keep the end b; new_left = (c, a, p) and new_right = (d, p, a) get a.
+    const EdgeRef across_ca = t_.slots[left].n[2], across_da = t_.slots[right].n[1];
+    t_.slots[left].v[1] = t_.slots[right].v[2] = vertex;
+    t_.slots[new_left].v[2] = t_.slots[new_right].v[1] = vertex;
+    t_.link(EdgeRef(new_left, 2), across_ca);
+    t_.link(EdgeRef(new_right, 1), across_da);
+    t_.link(EdgeRef(new_left, 0), EdgeRef(new_right, 0));
+    t_.link(EdgeRef(left, 2), EdgeRef(new_left, 1));
+    t_.link(EdgeRef(right, 1), EdgeRef(new_right, 2));
+    return true;
+  }
+  TriangleId copy(TriangleId id) {
+    const auto made = static_cast<TriangleId>(t_.slots.size());
+    t_.slots.push_back(Slot(t_.slots[id]));
+    if (!t_.region.empty()) t_.region.push_back(Index(t_.region[id]));
+    portion_of_.push_back(Index(portion_of_[id]));
+    return made;
+  }
+
+  /// Makes the mesh constrained Delaunay with the borders as constraints.
+  void keep_delaunay() {
+    const auto for_each_border = [&](const auto& visit) {
+      for (TriangleId id = 0; id < t_.slots.size(); ++id)
+        for (unsigned side = 0; side < 3; ++side) {
+          const EdgeRef outer = t_.slots[id].n[side];
+          if (!outer.none() && id < outer.triangle() && portion_of_[id] != portion_of_[outer.triangle()])
+            visit(EdgeRef(id, side), outer);
+        }
+    };
+    // Segments between two portions are borders, too, and stay constrained.
+    std::vector<std::pair<VertexId, VertexId>> segments;
+    const auto ends = [&](EdgeRef e) -> std::pair<VertexId, VertexId> {
+      return std::minmax(t_.slot(e).from(e.side()), t_.slot(e).to(e.side()));
+    };
+    for_each_border([&](EdgeRef inner, EdgeRef outer) {
+      if (outer.constrained())
+        segments.push_back(ends(inner));
+      else
+        t_.constrain(inner);
+    });
+    std::ranges::sort(segments);
+    std::vector<EdgeRef> suspects;
+    for (TriangleId id = 0; id < t_.slots.size(); ++id)
+      for (unsigned side = 0; side < 3; ++side)
+        if (!locally_delaunay(t_, EdgeRef(id, side))) suspects.push_back(EdgeRef(id, side));
+    std::vector<TriangleId> changed;
+    restore_delaunay(t_, std::move(suspects), changed, run_.threads);
+    for_each_border([&](EdgeRef inner, EdgeRef outer) {
+      if (!std::ranges::binary_search(segments, ends(inner))) t_.link(inner, outer.with_constraint(false));
+    });
+  }
+
+  MesherRun& run_;
+  Triangulation& t_;
+  std::vector<Index>& portion_of_;
+};
+
+}  // namespace
+
+void refine_decoupled(MesherRun& run) {
+  const std::vector<TriangleId> to_split = triangles_to_split(run);
+  if (to_split.empty()) return;
+  std::vector<TriangleId> all(run.mesh.t.slots.size());
+  std::iota(all.begin(), all.end(), TriangleId{0});
+  Portions portions = divide_among_leaves(run, all, to_split, 0);
+  const std::size_t vertices = run.mesh.t.points.size();
+  if (run.criteria.has_size()) BorderSplitter(run, portions.portion_of).run();
+  run.report.prepared += run.mesh.t.points.size() - vertices;
+  for (Portion& portion : portions.all) portion.triangles.clear();
+  for (TriangleId id = 0; id < portions.portion_of.size(); ++id)
+    if (portions.portion_of[id] != no_index) portions.all[portions.portion_of[id]].triangles.push_back(id);
+  ++run.report.sweeps;
+  run_tasks(run, portions.all, portions.portion_of);
+}
+
+}  // namespace pardel::engine

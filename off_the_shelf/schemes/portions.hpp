@@ -1,0 +1,35 @@
+// Divides triangles among the tasks of a phase.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "../../parallel/arithmetic/box.hpp"
+#include "../subdomains/run_tasks.hpp"
+
+namespace pardel::engine {
+
+/// The portions of a phase.
+struct Portions {
+  std::vector<Portion> all;
+  std::vector<Index> portion_of;  ///< for each triangle of the mesh, its portion; no_index: it belongs to none
+};
+
+/// The triangles that break the goal and may be split, and those with an encroached side, ascending.
+[[nodiscard]] std::vector<TriangleId> triangles_to_split(const MesherRun& run);
+
+/// These triangles, and those that are reached from them across at most `rings` edges, ascending.
+[[nodiscard]] std::vector<TriangleId> with_rings(const Triangulation& t, std::span<const TriangleId> triangles,
+                                                 int rings);
+
+/// Divides triangles among the leaves of a quadtree, by their centroids. A leaf is divided until the work in it is at
+/// most run.how.triangles_per_task. Only leaves with a triangle to split become portions. The tree of each shift, 0 to
+/// 2, is moved by a third of its side: a place on the border of a leaf is at least a third of a leaf away from all
+/// borders of the next tree. `triangles`, `to_split`: ascending; to_split is a part of triangles.
+[[nodiscard]] Portions divide_among_leaves(const MesherRun& run, std::span<const TriangleId> triangles,
+                                           std::span<const TriangleId> to_split, unsigned shift);
+
+/// The least box around all vertices.
+[[nodiscard]] Box bounds_of(const Triangulation& t);
+
+}  // namespace pardel::engine

@@ -1,0 +1,32 @@
+// Runs the tasks of a phase: takes parts out of the mesh, has them refined, verifies the answers, and glues them in.
+#pragma once
+
+#include <mutex>
+#include <vector>
+
+#include "../../core/goal.hpp"
+#include "../mesh_with_mesher.hpp"
+#include "part.hpp"
+
+namespace pardel::engine {
+
+/// A run with a mesher: the mesh, what it has to satisfy, and what has happened so far.
+struct MesherRun {
+  MeshInWork& mesh;
+  const Goal& goal;  ///< its sizes are one function, without sources and gradation
+  const Criteria& criteria;
+  const Options& options;
+  const MesherOptions& how;
+  const std::vector<double>& region_caps;  ///< empty: regions have no caps
+  SubdomainMesher& mesher;
+  Threads threads;
+  MesherReport& report;
+  std::mutex one_at_a_time{};
+};
+
+/// Refines each portion, all at the same time. An answer that breaks the contract is not used: its portion stays as it
+/// was. `portion_of`: for each triangle, the number of its portion, or no_index. The first portion is refined twice:
+/// two answers that differ are a breach. Returns the number of new vertices.
+std::uint64_t run_tasks(MesherRun& run, const std::vector<Portion>& portions, std::span<const Index> portion_of);
+
+}  // namespace pardel::engine

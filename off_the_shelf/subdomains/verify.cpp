@@ -1,0 +1,243 @@
+#include "verify.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "../../core/support/shortest.hpp"
+#include "../../parallel/arithmetic/distance.hpp"
+#include "../../parallel/arithmetic/predicates.hpp"
+#include "../../parallel/arithmetic/projected.hpp"
+#include "half_edges.hpp"
+
+namespace pardel::engine {
+namespace {
+
+using Corners = HalfEdges::Corners;
+
+bool same_bits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
+
+std::string text(Point a, Point b) { return "the edge from " + shortest(a) + " to " + shortest(b); }
+
+/// A new point on an edge.
+struct OnEdge {
+  Index edge;
+  double along;  ///< 0 at the start of the edge, 1 at its end
+  Index point;
+};
+
+/// The steps of verify(). Each returns the first breach that it finds. A step relies on those before it.
+class Verification {
+ public:
+  Verification(const Subdomain& subdomain, RefinedSubdomain& answer, std::span<const EndPoints> lines,
+               const Floor& floor)
+      : in_(subdomain), out_(answer), lines_(lines), floor_(floor) {}
+
+  std::optional<Breach> run() {
+    for (const auto step : {&Verification::ending, &Verification::old_points, &Verification::new_points,
+                            &Verification::corners, &Verification::orientations, &Verification::pair_sides,
+                            &Verification::edges_that_stay, &Verification::border, &Verification::lengths})
+      if (std::optional<Breach> found = (this->*step)()) return found;
+    return {};
+  }
+
+  VerifiedSubdomain take() {
+    return {std::move(out_.points), std::move(out_.edge_of_new_point), std::move(out_.triangles), std::move(across_),
+            std::move(on_edge_)};
+  }
+
+ private:
+  [[nodiscard]] std::size_t old_count() const { return in_.points.size(); }
+  [[nodiscard]] Index start_of(Index side) const { return out_.triangles[side / 3][(side + 1) % 3]; }
+  [[nodiscard]] Index end_of(Index side) const { return out_.triangles[side / 3][(side % 3 + 2) % 3]; }
+  [[nodiscard]] Point at(Index point) const { return out_.points[point]; }
+
+  std::optional<Breach> ending() {
+    using Ending = RefinedSubdomain::Ending;
+    const Point where = in_.points.empty() ? Point{} : in_.points.front();
+    switch (out_.ending) {
+      case Ending::failed:
+        return Breach{BreachKind::failed, where, out_.why};
+      case Ending::crashed:
+        return Breach{BreachKind::crashed, where, out_.why};
+      case Ending::timed_out:
+        return Breach{BreachKind::timed_out, where, out_.why};
+      case Ending::unreadable:
+        return Breach{BreachKind::unreadable, where, out_.why};
+      default:
+        return {};
+    }
+  }
+
+  std::optional<Breach> old_points() {
+    const auto& given = in_.points;
+    for (std::size_t i = 0; i < given.size(); ++i) {
+      if (i >= out_.points.size())
+        return Breach{BreachKind::moved_point, given[i],
+                      "point " + std::to_string(i) + " at " + shortest(given[i]) + " is missing"};
+      if (!same_bits(given[i].x, out_.points[i].x) || !same_bits(given[i].y, out_.points[i].y))
+        return Breach{
+            BreachKind::moved_point, given[i],
+            "point " + std::to_string(i) + " moved from " + shortest(given[i]) + " to " + shortest(out_.points[i])};
+    }
+    return {};
+  }
+
+  std::optional<Breach> new_points() {
+    const std::size_t made = out_.points.size() - old_count();
+    if (made > in_.most_new_points)
+      return Breach{BreachKind::too_many_points, out_.points.back(),
+                    std::to_string(made) + " new points, at most " + std::to_string(in_.most_new_points) + " allowed"};
+    if (out_.edge_of_new_point.size() != made)
+      return Breach{
+          BreachKind::wrong_index, in_.points.empty() ? Point{} : in_.points.front(),
+          std::to_string(out_.edge_of_new_point.size()) + " edges for " + std::to_string(made) + " new points"};
+    for (std::size_t i = 0; i < made; ++i)
+      if (auto found = new_point(static_cast<Index>(old_count() + i), out_.edge_of_new_point[i])) return found;
+    return {};
+  }
+
+  std::optional<Breach> new_point(Index point, Index edge) {
+    Point& p = out_.points[point];
+    if (!is_usable(p))
+      return Breach{BreachKind::unusable_point, p,
+                    "the coordinates of " + shortest(p) + " are out of the range of exact arithmetic"};
+    if (edge != no_index)
+      if (auto found = move_onto_edge(point, edge)) return found;
+    if (in_.cell && !in_.cell->contains(p))
+      return Breach{
+          BreachKind::outside_cell, p,
+          shortest(p) + " is outside the cell from " + shortest(in_.cell->low) + " to " + shortest(in_.cell->high)};
+    return {};
+  }
+
+  std::optional<Breach> move_onto_edge(Index point, Index edge) {
+    Point& p = out_.points[point];
+    if (edge >= in_.edges.size())
+      return Breach{
+          BreachKind::wrong_index, p,
+          shortest(p) + " is said to be on edge " + std::to_string(edge) + " of " + std::to_string(in_.edges.size())};
+    const SubdomainEdge& e = in_.edges[edge];
+    const Point a = at(e.a), b = at(e.b);
+    if (!e.may_be_split) return Breach{BreachKind::split_frozen_edge, p, shortest(p) + " is on " + text(a, b)};
+    const double dx = b.x - a.x, dy = b.y - a.y;
+    const double along = ((p.x - a.x) * dx + (p.y - a.y) * dy) / (dx * dx + dy * dy);
+    const Point on_line = projected(p, lines_[edge].a, lines_[edge].b);
+    // What a mesher's own rounding can explain, far below the length of any triangle.
+    const double tolerance =
+        1e-9 * distance(a, b) + 0x1p-48 * std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)});
+    if (!(along > 0 && along < 1) || !(distance(p, on_line) <= tolerance) || !is_usable(on_line))
+      return Breach{BreachKind::off_segment, p, shortest(p) + " is not on " + text(a, b)};
+    p = on_line;
+    on_edges_.push_back({edge, along, point});
+    return {};
+  }
+
+  std::optional<Breach> corners() {
+    std::vector<char> used(out_.points.size(), 0);
+    for (const Corners& v : out_.triangles)
+      for (const Index corner : v) {
+        if (corner >= out_.points.size())
+          return Breach{BreachKind::wrong_index,
+                        {},
+                        "a triangle has the corner " + std::to_string(corner) + " of " +
+                            std::to_string(out_.points.size()) + " points"};
+        used[corner] = 1;
+      }
+    const auto unused = std::ranges::find(used, 0);
+    if (unused == used.end()) return {};
+    const Point p = out_.points[static_cast<std::size_t>(unused - used.begin())];
+    return Breach{BreachKind::unused_point, p, shortest(p) + " is the corner of no triangle"};
+  }
+
+  std::optional<Breach> orientations() {
+    for (const Corners& v : out_.triangles)
+      if (!(orient2d(at(v[0]), at(v[1]), at(v[2])) > 0))
+        return Breach{BreachKind::wrong_orientation, at(v[0]),
+                      "the triangle " + shortest(at(v[0])) + " " + shortest(at(v[1])) + " " + shortest(at(v[2])) +
+                          " is not counter-clockwise"};
+    return {};
+  }
+
+  std::optional<Breach> pair_sides() {
+    sides_.emplace(out_.triangles, out_.points.size());
+    across_.assign(3 * out_.triangles.size(), no_index);
+    on_edge_.assign(across_.size(), no_index);
+    for (Index side = 0; side < across_.size(); ++side) {
+      const Index from = start_of(side), to = end_of(side);
+      if (sides_->find(from, to) != side)
+        return Breach{BreachKind::overlap, at(from), "two triangles lie on the left of " + text(at(from), at(to))};
+      across_[side] = sides_->find(to, from);
+    }
+    return {};
+  }
+
+  std::optional<Breach> edges_that_stay() {
+    std::ranges::sort(on_edges_, {}, [](const OnEdge& p) { return std::pair(p.edge, p.along); });
+    auto next = on_edges_.begin();
+    for (Index edge = 0; edge < in_.edges.size(); ++edge) {
+      Index from = in_.edges[edge].a;
+      for (; next != on_edges_.end() && next->edge == edge; ++next) {
+        if (auto found = piece(edge, from, next->point)) return found;
+        from = next->point;
+      }
+      if (auto found = piece(edge, from, in_.edges[edge].b)) return found;
+    }
+    return {};
+  }
+
+  /// A piece of an edge that stays has to be a side of triangles.
+  std::optional<Breach> piece(Index edge, Index from, Index to) {
+    const Index left = sides_->find(from, to), right = sides_->find(to, from);
+    if (left == no_index || (in_.edges[edge].inside && right == no_index))
+      return Breach{BreachKind::lost_edge, at(from), text(at(from), at(to)) + " is missing"};
+    on_edge_[left] = edge;
+    if (in_.edges[edge].inside) on_edge_[right] = edge;
+    return {};
+  }
+
+  std::optional<Breach> border() {
+    for (Index side = 0; side < across_.size(); ++side) {
+      const bool ends_here = on_edge_[side] != no_index && !in_.edges[on_edge_[side]].inside;
+      const Point from = at(start_of(side)), to = at(end_of(side));
+      if (across_[side] == no_index && !ends_here)
+        return Breach{BreachKind::open_edge, from, text(from, to) + " has a triangle on one side only"};
+      if (across_[side] != no_index && ends_here)
+        return Breach{BreachKind::overlap, from, "a triangle lies beyond the border, at " + text(from, to)};
+    }
+    return {};
+  }
+
+  std::optional<Breach> lengths() {
+    for (Index side = 0; side < across_.size(); ++side) {
+      const Index newest = std::max(start_of(side), end_of(side));
+      if (newest < old_count()) continue;
+      const Point from = at(start_of(side)), to = at(end_of(side));
+      if (!(distance(from, to) >= (1 - 0x1p-40) * floor_.at(at(newest))))
+        return Breach{BreachKind::too_short_edge, from, text(from, to) + " is too short"};
+    }
+    return {};
+  }
+
+  const Subdomain& in_;
+  RefinedSubdomain& out_;
+  std::span<const EndPoints> lines_;
+  const Floor& floor_;
+  std::vector<OnEdge> on_edges_;
+  std::optional<HalfEdges> sides_;
+  std::vector<Index> across_, on_edge_;
+};
+
+}  // namespace
+
+Result<VerifiedSubdomain, Breach> verify(const Subdomain& subdomain, RefinedSubdomain&& answer,
+                                         std::span<const EndPoints> lines, const Floor& floor) {
+  Verification verification(subdomain, answer, lines, floor);
+  if (std::optional<Breach> found = verification.run()) return *std::move(found);
+  return verification.take();
+}
+
+}  // namespace pardel::engine
