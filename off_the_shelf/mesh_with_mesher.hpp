@@ -49,6 +49,7 @@ struct MesherReport {
   std::uint64_t inserted = 0;   ///< vertices of the mesher, inside faces and on segments
   std::uint64_t prepared = 0;   ///< vertices of pardel's own refiner before the first sweep
   std::uint64_t completed = 0;  ///< and after the last one
+  std::uint64_t flipped = 0;    ///< edges between parts that were not Delaunay after gluing; none with cells
   std::uint64_t at_limit = 0;   ///< answers that ended at a limit
   Breaches breaches;
   double mesher_seconds = 0, extraction_seconds = 0, verification_seconds = 0, gluing_seconds = 0;

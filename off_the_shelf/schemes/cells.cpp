@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <optional>
+#include <utility>
 
 #include "../../parallel/decomposition/lattice_levels.hpp"
 #include "../../parallel/decomposition/tiles.hpp"
@@ -58,7 +58,10 @@ bool meets(const Disk& disk, const SubdomainCell& cell) {
 class CellSweep {
  public:
   CellSweep(MesherRun& run, const Tiles& tiles) : run_(run), t_(run.mesh.t), tiles_(tiles) {
-    for (Index cell = 0; cell < tiles.cells(); ++cell) rectangles_.push_back(rectangle_of(tiles, cell));
+    for (Index cell = 0; cell < tiles.cells(); ++cell) {
+      rectangles_.push_back(rectangle_of(tiles, cell));
+      least_radius_that_fits_ = std::min(least_radius_that_fits_, tiles.radius_that_fits(cell));
+    }
   }
 
   /// `to_split`: the triangles that wait when the sweep starts. Returns the number of new vertices.
@@ -89,23 +92,42 @@ class CellSweep {
     const Slot& slot = t_.slots[id];
     const Shape shape(t_, slot);
     const Index home = tiles_.cell_of(centroid_of(shape.p[0], shape.p[1], shape.p[2]));
-    if (is_for(home, colour) && is_needed(home, slot, shape)) return home;
+    const auto needs = [&](Index cell) {
+      return is_due(cell, colour) && fits_box(cell, shape) && is_needed(cell, slot, shape);
+    };
+    if (needs(home)) return home;
     for (const Index cell : tiles_.touching(home))
-      if (is_for(cell, colour) && is_needed(cell, slot, shape)) return cell;
+      if (needs(cell)) return cell;
     return no_index;
   }
-  [[nodiscard]] bool is_for(Index cell, unsigned colour) const {
+  [[nodiscard]] bool is_due(Index cell, unsigned colour) const {
     return has_work_[cell] != 0 && tiles_.colour_of(cell) == colour;
   }
-  [[nodiscard]] bool is_needed(Index cell, const Slot& slot, const Shape& shape) const {
+  [[nodiscard]] bool fits_box(Index cell, const Shape& shape) const {
     const Box box = tiles_.box_of(cell);
-    if (!std::ranges::all_of(shape.p, [&](Point p) { return box.contains_half_open(p); })) return false;
+    return std::ranges::all_of(shape.p, [&](Point p) { return box.contains_half_open(p); });
+  }
+  /// True if an insertion in the cell can change the triangle, or be blocked by one of its sides.
+  [[nodiscard]] bool is_needed(Index cell, const Slot& slot, const Shape& shape) const {
     if (meets(circumdisk(shape), rectangles_[cell])) return true;
     for (unsigned side = 0; side < 3; ++side)
       if (slot.n[side].constrained() &&
           meets(diametral_disk(shape.p[next_corner[side]], shape.p[previous_corner[side]]), rectangles_[cell]))
         return true;
     return false;
+  }
+
+  /// The cells of a colour whose tasks would need a triangle beyond their boxes. Only triangles with large circumradii
+  /// can be the reason.
+  [[nodiscard]] std::vector<char> cells_without_room(unsigned colour) const {
+    std::vector<char> found(tiles_.cells(), 0);
+    for (const Slot& slot : t_.slots) {
+      const Shape shape(t_, slot);
+      if (circumdisk(shape).squared_radius <= least_radius_that_fits_ * least_radius_that_fits_) continue;
+      for (Index cell = 0; cell < tiles_.cells(); ++cell)
+        if (is_due(cell, colour) && !fits_box(cell, shape) && is_needed(cell, slot, shape)) found[cell] = 1;
+    }
+    return found;
   }
 
   [[nodiscard]] Portions portions_of(unsigned colour) const {
@@ -115,10 +137,11 @@ class CellSweep {
       for (std::size_t id = first; id < last; ++id)
         portions.portion_of[id] = cell_for(static_cast<TriangleId>(id), colour);
     });
+    const std::vector<char> without_room = cells_without_room(colour);
     std::vector<Index> portion_of_cell(tiles_.cells(), no_index);
     for (TriangleId id = 0; id < portions.portion_of.size(); ++id) {
-      const Index cell = portions.portion_of[id];
-      if (cell == no_index) continue;
+      const Index cell = std::exchange(portions.portion_of[id], no_index);
+      if (cell == no_index || without_room[cell] != 0) continue;
       if (portion_of_cell[cell] == no_index) {
         portion_of_cell[cell] = static_cast<Index>(portions.all.size());
         portions.all.push_back({{}, rectangles_[cell]});
@@ -134,6 +157,7 @@ class CellSweep {
   const Tiles& tiles_;
   std::vector<SubdomainCell> rectangles_;
   std::vector<char> has_work_;
+  double least_radius_that_fits_ = INFINITY;
 };
 
 /// The lattice with cells of about the wanted work that are at least four circumradii wide.

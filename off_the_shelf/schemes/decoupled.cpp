@@ -21,6 +21,16 @@ namespace {
 /// would not be Delaunay edges.
 constexpr double piece_of_unit_area = 1.3;
 
+/// Flips edges until the mesh is constrained Delaunay.
+void flip_to_delaunay(Triangulation& t, const Threads& threads) {
+  std::vector<EdgeRef> suspects;
+  for (TriangleId id = 0; id < t.slots.size(); ++id)
+    for (unsigned side = 0; side < 3; ++side)
+      if (!locally_delaunay(t, EdgeRef(id, side))) suspects.push_back(EdgeRef(id, side));
+  std::vector<TriangleId> changed;
+  restore_delaunay(t, std::move(suspects), changed, threads);
+}
+
 /// Splits the edges between the portions of a phase.
 class BorderSplitter {
  public:
@@ -49,6 +59,8 @@ class BorderSplitter {
         run_.criteria.twice_area_wanted(middle, run_.mesh.assessor.region_of(e.triangle()), hints);
     const double pieces = std::ceil(distance(a, b) / (piece_of_unit_area * std::sqrt(twice_area / 2)));
     if (!(pieces < 1e6)) return;
+    const std::uint64_t most = run_.options.max_vertices;
+    if (most > 0 && static_cast<double>(t_.points.size()) + pieces > static_cast<double>(most)) return;
     for (int i = 1; i < pieces; ++i) {
       const double part = i / pieces;
       if (!split_at({std::lerp(a.x, b.x, part), std::lerp(a.y, b.y, part)}, e)) return;
@@ -111,12 +123,7 @@ class BorderSplitter {
         t_.constrain(inner);
     });
     std::ranges::sort(segments);
-    std::vector<EdgeRef> suspects;
-    for (TriangleId id = 0; id < t_.slots.size(); ++id)
-      for (unsigned side = 0; side < 3; ++side)
-        if (!locally_delaunay(t_, EdgeRef(id, side))) suspects.push_back(EdgeRef(id, side));
-    std::vector<TriangleId> changed;
-    restore_delaunay(t_, std::move(suspects), changed, run_.threads);
+    flip_to_delaunay(t_, run_.threads);
     for_each_border([&](EdgeRef inner, EdgeRef outer) {
       if (!std::ranges::binary_search(segments, ends(inner))) t_.link(inner, outer.with_constraint(false));
     });
@@ -143,6 +150,8 @@ void refine_decoupled(MesherRun& run) {
     if (portions.portion_of[id] != no_index) portions.all[portions.portion_of[id]].triangles.push_back(id);
   ++run.report.sweeps;
   run_tasks(run, portions.all, portions.portion_of);
+  // Where an answer was not used, borders are not Delaunay yet.
+  flip_to_delaunay(run.mesh.t, run.threads);
 }
 
 }  // namespace pardel::engine

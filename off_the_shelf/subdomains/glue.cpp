@@ -1,7 +1,7 @@
 #include "glue.hpp"
 
 #include <algorithm>
-#include <bit>
+#include <numeric>
 #include <utility>
 
 #include "../../parallel/threads/parallel_for.hpp"
@@ -23,11 +23,12 @@ class Gluing {
   Gluing(MeshInWork& mesh, std::span<const Replacement> replacements, const Threads& threads)
       : t_(mesh.t), all_(replacements), threads_(threads) {}
 
-  void run() {
+  std::uint64_t run() {
     make_room();
     for (std::size_t i = 0; i < all_.size(); ++i) rename_border(i);
     std::ranges::sort(renamed_, {}, &RenamedSide::before);
     suspects_.resize(all_.size());
+    on_border_.resize(all_.size());
     parallel_for(threads_, all_.size(), [&](std::size_t i, int) {
       write_vertices(i);
       write_triangles(i);
@@ -38,6 +39,7 @@ class Gluing {
     for (const std::vector<EdgeRef>& found : suspects_) suspects.insert(suspects.end(), found.begin(), found.end());
     std::vector<TriangleId> changed;
     restore_delaunay(t_, std::move(suspects), changed, threads_);
+    return std::accumulate(on_border_.begin(), on_border_.end(), std::uint64_t{0});
   }
 
  private:
@@ -155,7 +157,9 @@ class Gluing {
       for (unsigned side = 0; side < 3; ++side) {
         const EdgeRef outer = t_.slots[id].n[side];
         const bool from_here = outer.none() || id < outer.triangle() || is_border(i, 3 * local + side);
-        if (from_here && !locally_delaunay(t_, EdgeRef(id, side))) suspects_[i].push_back(EdgeRef(id, side));
+        if (!from_here || locally_delaunay(t_, EdgeRef(id, side))) continue;
+        suspects_[i].push_back(EdgeRef(id, side));
+        if (is_border(i, 3 * local + side)) ++on_border_[i];
       }
     }
   }
@@ -167,13 +171,14 @@ class Gluing {
   std::vector<VertexId> first_vertex_;
   std::vector<TriangleId> first_triangle_;
   std::vector<RenamedSide> renamed_;
-  std::vector<std::vector<EdgeRef>> suspects_;
+  std::vector<std::vector<EdgeRef>> suspects_;  ///< of each part: edges that are not locally Delaunay
+  std::vector<std::uint64_t> on_border_;        ///< how many of them are on the border
 };
 
 }  // namespace
 
-void glue(MeshInWork& mesh, std::span<const Replacement> replacements, const Threads& threads) {
-  if (!replacements.empty()) Gluing(mesh, replacements, threads).run();
+std::uint64_t glue(MeshInWork& mesh, std::span<const Replacement> replacements, const Threads& threads) {
+  return replacements.empty() ? 0 : Gluing(mesh, replacements, threads).run();
 }
 
 }  // namespace pardel::engine

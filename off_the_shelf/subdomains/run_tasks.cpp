@@ -7,6 +7,7 @@
 
 #include "../../core/support/stopwatch.hpp"
 #include "../../parallel/threads/parallel_for.hpp"
+#include "../../parallel/triangulation/limits.hpp"
 #include "glue.hpp"
 #include "verify.hpp"
 
@@ -45,7 +46,7 @@ RefinedSubdomain ask(MesherRun& run, const Subdomain& subdomain) {
 }
 
 /// The goal and the limits of a part.
-void set_bounds(const MesherRun& run, Part& part) {
+void set_bounds(const MesherRun& run, std::uint64_t most_new_points, Part& part) {
   // A mesh has twice as many triangles as vertices. The rest is for the bound on angles.
   constexpr double points_per_triangle = 2, points_per_old_triangle = 10, spare = 1000;
   const Triangulation& t = run.mesh.t;
@@ -64,14 +65,15 @@ void set_bounds(const MesherRun& run, Part& part) {
   }
   const double limit =
       points_per_triangle * wanted + points_per_old_triangle * static_cast<double>(part.triangles.size()) + spare;
-  subdomain.most_new_points = static_cast<std::size_t>(std::min(limit, 1.0 * max_engine_triangles));
+  subdomain.most_new_points =
+      std::min(static_cast<std::size_t>(std::min(limit, 1.0 * max_engine_triangles)), most_new_points);
 }
 
-Attempt attempt(MesherRun& run, PartMaker& maker, const Portion& portion, bool twice) {
+Attempt attempt(MesherRun& run, PartMaker& maker, const Portion& portion, std::uint64_t most_new_points, bool twice) {
   Attempt result;
   Stopwatch watch;
   Part part = maker.take_out(portion, run.mesher.abilities().splits_segments);
-  set_bounds(run, part);
+  set_bounds(run, most_new_points, part);
   result.extraction_seconds = watch.lap();
   RefinedSubdomain answer = ask(run, part.subdomain);
   result.mesher_seconds = watch.lap();
@@ -93,13 +95,23 @@ Attempt attempt(MesherRun& run, PartMaker& maker, const Portion& portion, bool t
   return result;
 }
 
+/// How many points each task may insert: an equal part of what Options::max_vertices leaves.
+std::uint64_t most_points_per_task(const MesherRun& run, std::size_t tasks) {
+  const std::uint64_t most = run.options.max_vertices, present = run.mesh.t.points.size();
+  if (most == 0) return max_engine_triangles;
+  return most > present ? (most - present) / tasks : 0;
+}
+
 }  // namespace
 
 std::uint64_t run_tasks(MesherRun& run, const std::vector<Portion>& portions, std::span<const Index> portion_of) {
+  if (portions.empty()) return 0;
+  const std::uint64_t most_new_points = most_points_per_task(run, portions.size());
+  if (most_new_points == 0) return 0;
   std::vector<Attempt> attempts(portions.size());
   std::vector<PartMaker> makers(static_cast<std::size_t>(run.threads.count), PartMaker(run.mesh, portion_of));
   parallel_for(run.threads, portions.size(), [&](std::size_t i, int thread) {
-    attempts[i] = attempt(run, makers[static_cast<std::size_t>(thread)], portions[i], i == 0);
+    attempts[i] = attempt(run, makers[static_cast<std::size_t>(thread)], portions[i], most_new_points, i == 0);
   });
 
   std::vector<Replacement> replacements;
@@ -117,10 +129,11 @@ std::uint64_t run_tasks(MesherRun& run, const std::vector<Portion>& portions, st
     replacements.push_back(*std::move(each.replacement));
   }
   const Stopwatch watch;
-  glue(run.mesh, replacements, run.threads);
+  run.report.flipped += glue(run.mesh, replacements, run.threads);
   run.report.gluing_seconds += watch.seconds();
   run.report.inserted += made;
   ++run.report.phases;
+  if (outgrows_memory(run.mesh.t.points.size(), run.options)) throw Stopped{too_much_memory(run.options)};
   return made;
 }
 

@@ -25,6 +25,7 @@ const std::vector<Layer>& layers() {
       {"core", {}},
       {"parallel", {"core"}},
       {"distributed", {"core", "parallel"}},
+      {"off_the_shelf", {"core", "parallel"}},
       {"ref", {"core"}},
       {"properties/checker", {"core"}},
       {"properties/domains", {"core"}},
@@ -32,29 +33,36 @@ const std::vector<Layer>& layers() {
       {"properties/defects", {"core", "properties/checker", "properties/domains"}},
       {"properties/wrong_meshes", {"core", "properties/checker", "properties/domains", "properties/defects"}},
       {"properties/theorems",
-       {"core", "parallel", "distributed", "ref", "properties/checker", "properties/comparison", "properties/domains",
-        "properties/defects"}},
+       {"core", "parallel", "distributed", "off_the_shelf", "ref", "properties/checker", "properties/comparison",
+        "properties/domains", "properties/defects"}},
       {"properties/mutants", {"core", "properties/checker", "properties/defects", "properties/theorems"}},
-      {"cli", {"core", "parallel", "properties/checker", "properties/domains"}},
+      {"cli", {"core", "parallel", "off_the_shelf", "properties/checker", "properties/domains"}},
       {"cli/harness", {"core", "properties/checker", "properties/domains", "cli"}},
-      {"mpi", {"core", "parallel", "distributed", "properties/checker", "cli"}},
+      {"mpi", {"core", "parallel", "distributed", "off_the_shelf", "properties/checker", "cli"}},
       {"fuzz",
        {"core", "parallel", "ref", "properties/checker", "properties/comparison", "properties/domains",
         "properties/defects", "properties/wrong_meshes", "properties/theorems", "cli"}},
-      {"bench", {"core", "parallel", "distributed", "properties/checker", "properties/domains", "cli", "mpi"}},
-      {"examples", {"core", "parallel", "distributed", "properties/checker", "properties/domains", "mpi"}},
+      {"bench",
+       {"core", "parallel", "distributed", "off_the_shelf", "properties/checker", "properties/domains", "cli", "mpi"}},
+      {"examples", {"core", "parallel", "distributed", "off_the_shelf", "properties/checker", "properties/domains", "mpi"}},
       {"scripts", {}},
       {"tests",
-       {"core", "parallel", "distributed", "ref", "properties/checker", "properties/comparison", "properties/domains",
-        "properties/defects", "properties/wrong_meshes", "properties/theorems", "properties/mutants", "cli",
-        "cli/harness", "fuzz", "mpi", "bench"}},
+       {"core", "parallel", "distributed", "off_the_shelf", "ref", "properties/checker", "properties/comparison",
+        "properties/domains", "properties/defects", "properties/wrong_meshes", "properties/theorems",
+        "properties/mutants", "cli", "cli/harness", "fuzz", "mpi", "bench"}},
   };
   return table;
 }
 
 /// The folders whose headers are public. Headers in their subfolders are not public.
 const std::set<std::string, std::less<>> public_folders = {
-    "core", "parallel", "distributed", "properties/checker", "properties/domains", "properties/domains/generators"};
+    "core",
+    "parallel",
+    "distributed",
+    "off_the_shelf",
+    "properties/checker",
+    "properties/domains",
+    "properties/domains/generators"};
 
 /// A room is a subfolder of a public folder; it is private. Rooms have an order: a room may include itself, rooms of a
 /// lower rank in the same folder, and the folder's public headers. Files directly in the folder may include all its
@@ -90,6 +98,9 @@ const std::vector<Room>& rooms() {
       {"distributed", "distributed/cdt", 2, "pardel::engine"},
       {"distributed", "distributed/meshing", 2, "pardel::engine"},
       {"distributed", "distributed/divided_input", 3, "pardel::engine"},
+      {"off_the_shelf", "off_the_shelf/subdomains", 0, "pardel::engine"},
+      {"off_the_shelf", "off_the_shelf/schemes", 1, "pardel::engine"},
+      {"off_the_shelf", "off_the_shelf/meshers", 1, "pardel::engine"},
       {"properties/domains", "properties/domains/generators/lattice", 0, "pardel::generators"},
       {"properties/checker", "properties/checker/arithmetic", 0, "pardel::checker"},
       {"properties/checker", "properties/checker/model", 1, "pardel::checker"},
@@ -110,6 +121,8 @@ const std::vector<Exception>& exceptions() {
       {"parallel", "core/support", "core/support is for all folders of the project"},
       {"distributed", "core/support", "core/support is for all folders of the project"},
       {"distributed", "parallel", "the ranks run the engine on their parts"},
+      {"off_the_shelf", "core/support", "core/support is for all folders of the project"},
+      {"off_the_shelf", "parallel", "the schemes work on the engine's triangulation"},
       {"properties", "core/support", "core/support is for all folders of the project"},
       {"cli", "core/support", "core/support is for all folders of the project"},
       {"mpi", "core/support", "core/support is for all folders of the project"},
@@ -120,6 +133,8 @@ const std::vector<Exception>& exceptions() {
       {"tests/parallel", "parallel", "tests the rooms of the engine"},
       {"tests/distributed", "distributed", "tests the rooms of the ranks"},
       {"tests/distributed", "parallel", "compares parts of ranks with the engine's arrays"},
+      {"tests/off_the_shelf", "off_the_shelf", "tests the rooms of the schemes"},
+      {"tests/off_the_shelf", "parallel", "takes parts out of the engine's triangulation"},
       {"tests/races", "parallel/threads", "proves that the sanitizer sees a race in the engine's own loops"},
       {"tests/properties/checker", "properties/checker", "tests the rooms of the checker"},
       {"tests/parallel", "properties/checker/arithmetic/exact.hpp", "compares the engine with exact arithmetic"},

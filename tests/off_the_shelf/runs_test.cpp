@@ -1,0 +1,151 @@
+// Whole runs with a sequential mesher: every run ends with a certified mesh, whatever the mesher does.
+#include <algorithm>
+#include <cmath>
+
+#include "../../core/digest.hpp"
+#include "../../off_the_shelf/mesh_with_mesher.hpp"
+#include "../../properties/comparison/all_arrays.hpp"
+#include "../../properties/theorems/refinement/meshing.hpp"
+#include "bad_meshers.hpp"
+
+namespace pardel::properties {
+namespace {
+
+constexpr const char* source = "docs/off-the-shelf.md";
+constexpr const char* shelf_families = "lattice domains of every family, random goals, tasks of 4 to 60 triangles";
+
+Scheme some_scheme() {
+  const Scheme scheme = *rc::gen::element(Scheme::frozen, Scheme::cells, Scheme::decoupled);
+  RC_TAG(std::string(name(scheme)));
+  return scheme;
+}
+MesherOptions small_tasks(Scheme scheme) {
+  MesherOptions how{.scheme = scheme};
+  how.triangles_per_task = *rc::gen::element(4U, 15U, 60U);
+  return how;
+}
+MeshedWithMesher run(const Problem& problem, SubdomainMesher& mesher, const MesherOptions& how, int threads = 1) {
+  const auto valid = validate(problem.pslg, {.convex_hull = problem.goal.convex_hull});
+  RC_ASSERT(valid.ok());
+  Result<MeshedWithMesher> result = mesh_with_mesher(*valid, problem.goal, mesher, how, {.threads = threads});
+  if (!result) RC_FAIL(result.error().message);
+  return *std::move(result);
+}
+
+/// Any case, with a bound on areas that a mesh of a few hundred triangles keeps.
+Problem some_fine_problem(Exhibit& exhibit) {
+  Problem problem = some_problem(exhibit);
+  if (*rc::gen::inRange(0, 3) > 0) {
+    const double extent = extent_of(problem.pslg);
+    problem.goal.max_area = std::min(problem.goal.max_area, extent * extent / *rc::gen::inRange(20, 400));
+  }
+  return problem;
+}
+
+PARDEL_PROPERTY(
+    OffTheShelf, runs_make_a_mesh_that_the_checker_certifies,
+    {.statement = "In each scheme, with pardel's own refiner as the mesher, the mesh conforms to the domain, "
+                  "is constrained Delaunay and meets the goal as far as mesh() does; no answer breaks the "
+                  "contract.",
+     .source = source,
+     .families = shelf_families}) {
+  const Problem problem = some_fine_problem(exhibit);
+  const auto mesher = own_mesher();
+  const MeshedWithMesher made = run(problem, *mesher, small_tasks(some_scheme()));
+  exhibit.show(problem.pslg, made.mesh);
+  for (std::size_t kind = 0; kind < breach_kinds; ++kind)
+    if (made.mesher.breaches.count[kind] > 0) RC_FAIL(made.mesher.breaches.first[kind].what);
+  require_valid(check(problem.pslg, made.mesh, problem.goal));
+}
+
+PARDEL_PROPERTY(OffTheShelf, runs_do_not_depend_on_threads,
+                {.statement = "The mesh, with all its data, and what is reported about the mesher are the same on any "
+                              "number of threads.",
+                 .source = source,
+                 .families = shelf_families}) {
+  const Problem problem = some_fine_problem(exhibit);
+  const MesherOptions how = small_tasks(some_scheme());
+  const auto mesher = own_mesher();
+  const MeshedWithMesher one = run(problem, *mesher, how), many = run(problem, *mesher, how, *rc::gen::inRange(2, 9));
+  const std::string differs = difference(one.mesh, many.mesh);
+  if (!differs.empty()) RC_FAIL(differs);
+  RC_ASSERT(one.mesher.tasks == many.mesher.tasks);
+  RC_ASSERT(one.mesher.inserted == many.mesher.inserted);
+  RC_ASSERT(one.mesher.phases == many.mesher.phases);
+}
+
+PARDEL_PROPERTY(
+    OffTheShelf, runs_with_any_breach_end_certified,
+    {.statement = "With a mesher that breaks the contract in one way, in all or in some of its answers, the "
+                  "run ends with a certified mesh and reports the breaches.",
+     .source = source,
+     .families = shelf_families}) {
+  const Problem problem = some_fine_problem(exhibit);
+  const auto mistake = static_cast<BreachKind>(*rc::gen::inRange(0, breach_kinds));
+  RC_TAG(std::string(name(mistake)));
+  const MesherOptions how = small_tasks(some_scheme());
+  BadMesher mesher(mistake, *rc::gen::inRange(1U, 4U));
+  const MeshedWithMesher made = run(problem, mesher, how, *rc::gen::inRange(1, 4));
+  exhibit.show(problem.pslg, made.mesh);
+  require_valid(check(problem.pslg, made.mesh, problem.goal));
+  const Breaches& found = made.mesher.breaches;
+  RC_ASSERT(found.total() > 0U || mesher.is_harmless());
+}
+
+PARDEL_PROPERTY(OffTheShelf, runs_with_a_mesher_that_does_nothing_end_as_without_one,
+                {.statement = "If the mesher does nothing and there is one task, the mesh is that of mesh().",
+                 .source = source,
+                 .families = shelf_families}) {
+  const Problem problem = some_fine_problem(exhibit);
+  LazyMesher mesher;
+  const MeshedWithMesher made = run(problem, mesher, {.scheme = some_scheme(), .triangles_per_task = 1'000'000'000});
+  RC_ASSERT(made.mesher.inserted == 0U);
+  RC_ASSERT(digest(made.mesh) == digest(meshed(problem, exhibit, {.threads = 1}).mesh));
+}
+
+PARDEL_PROPERTY(OffTheShelf, runs_split_no_segment_that_is_kept,
+                {.statement = "With no_segment_splits, no vertex of the mesh lies on a segment but those of the input.",
+                 .source = source,
+                 .families = shelf_families}) {
+  const Problem problem = some_fine_problem(exhibit);
+  const auto mesher = own_mesher();
+  const auto valid = validate(problem.pslg);
+  RC_ASSERT(valid.ok());
+  const Result<MeshedWithMesher> made =
+      mesh_with_mesher(*valid, problem.goal, *mesher, small_tasks(some_scheme()),
+                       {.threads = 1, .max_vertices = 5000, .no_segment_splits = true});
+  if (!made) RC_FAIL(made.error().message);
+  for (const Index origin : made->mesh.origin) RC_ASSERT(origin == interior_vertex || origin == input_vertex);
+}
+
+PARDEL_PROPERTY(OffTheShelf, runs_keep_a_limit_on_vertices,
+                {.statement = "The mesh has at most max_vertices vertices, or those of the input.",
+                 .source = source,
+                 .families = shelf_families}) {
+  const Problem problem = some_fine_problem(exhibit);
+  const auto mesher = own_mesher();
+  const auto valid = validate(problem.pslg);
+  RC_ASSERT(valid.ok());
+  const auto most = *rc::gen::inRange<std::uint64_t>(1, 200);
+  const Result<MeshedWithMesher> made =
+      mesh_with_mesher(*valid, problem.goal, *mesher, small_tasks(some_scheme()), {.threads = 1, .max_vertices = most});
+  if (!made) RC_FAIL(made.error().message);
+  RC_ASSERT(made->mesh.points.size() <= std::max<std::size_t>(most, problem.pslg.points.size()));
+  require_valid(check(problem.pslg, made->mesh, {.min_angle_deg = 0}));
+}
+
+PARDEL_PROPERTY(
+    OffTheShelf, cells_need_no_flip,
+    {.statement = "In the paper's lattice, all edges between cells are Delaunay when answers are glued in: all "
+                  "triangles that an insertion in a cell can change belong to the task of the cell.",
+     .source = "[CC] Theorem 1; properties/THEORY.md, T1 and Lattice",
+     .families = shelf_families}) {
+  const Problem problem = some_fine_problem(exhibit);
+  const auto mesher = own_mesher();
+  const MeshedWithMesher made = run(problem, *mesher, small_tasks(Scheme::cells), *rc::gen::inRange(1, 4));
+  RC_TAG(made.mesher.phases > 1 ? "several phases" : "one phase");
+  RC_ASSERT(made.mesher.flipped == 0U);
+}
+
+}  // namespace
+}  // namespace pardel::properties
