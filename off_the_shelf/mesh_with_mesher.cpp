@@ -59,7 +59,11 @@ Result<MeshedWithMesher> run_with(SubdomainMesher& mesher, const ValidPslg& vali
 
   const Assessor assessor(domain->triangulation, domain->segments, plan->criteria, options);
   MeshInWork in_work{domain->triangulation, domain->segments, assessor};
-  MesherRun run{in_work, plan->goal, plan->criteria, options, how, plan->caps, mesher, threads, result.mesher};
+  const Watcher show_mesh = watcher(*domain, options, [&](DomainTriangulation&& snapshot) -> Result<Mesh> {
+    return to_mesh(std::move(snapshot), input, threads);
+  });
+  MesherRun run{in_work,    plan->goal, plan->criteria, options,       how,
+                plan->caps, mesher,     threads,        result.mesher, show_mesh};
   if (Status ready = prepare(run, pslg, domain->triangulation, progress, !mesher.abilities().splits_segments); !ready)
     return ready.error();
   run_scheme(run);

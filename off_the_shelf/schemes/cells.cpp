@@ -71,7 +71,10 @@ class CellSweep {
     for (unsigned colour = 0; colour < tiles_.colours(); ++colour) {
       run_.threads.ask();
       const Portions portions = portions_of(colour);
-      if (!portions.all.empty()) made += run_tasks(run_, portions.all, portions.portion_of);
+      if (portions.all.empty()) continue;
+      const std::uint64_t in_phase = run_tasks(run_, portions.all, portions.portion_of);
+      show(run_, in_phase);
+      made += in_phase;
     }
     return made;
   }

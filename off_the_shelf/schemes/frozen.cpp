@@ -27,7 +27,9 @@ void sweep_with_frozen_borders(MesherRun& run) {
     }
     const Portions portions = divide_among_leaves(run, taken, to_split, sweep % 3);
     ++run.report.sweeps;
-    if (run_tasks(run, portions.all, portions.portion_of) == 0 && sweep > 0) return;
+    const std::uint64_t made = run_tasks(run, portions.all, portions.portion_of);
+    show(run, made);
+    if (made == 0 && sweep > 0) return;
   }
 }
 

@@ -1,5 +1,6 @@
 #include "run_tasks.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <optional>
@@ -104,14 +105,26 @@ std::uint64_t most_points_per_task(const MesherRun& run, std::size_t tasks) {
 
 }  // namespace
 
+void show(const MesherRun& run, std::uint64_t made) {
+  if (!run.watcher) return;
+  Triangulation copy = run.mesh.t;
+  const Status fine = run.watcher(std::move(copy), Sweep{.inserted = made});
+  if (!fine) throw Stopped{fine.error()};
+}
+
 std::uint64_t run_tasks(MesherRun& run, const std::vector<Portion>& portions, std::span<const Index> portion_of) {
   if (portions.empty()) return 0;
   const std::uint64_t most_new_points = most_points_per_task(run, portions.size());
   if (most_new_points == 0) return 0;
+  // The smallest portion is refined twice, unless it is all.
+  const auto smallest =
+      std::ranges::min_element(portions, {}, [](const Portion& portion) { return portion.triangles.size(); });
+  const std::size_t twice =
+      portions.size() > 1 ? static_cast<std::size_t>(smallest - portions.begin()) : portions.size();
   std::vector<Attempt> attempts(portions.size());
   std::vector<PartMaker> makers(static_cast<std::size_t>(run.threads.count), PartMaker(run.mesh, portion_of));
   parallel_for(run.threads, portions.size(), [&](std::size_t i, int thread) {
-    attempts[i] = attempt(run, makers[static_cast<std::size_t>(thread)], portions[i], most_new_points, i == 0);
+    attempts[i] = attempt(run, makers[static_cast<std::size_t>(thread)], portions[i], most_new_points, i == twice);
   });
 
   std::vector<Replacement> replacements;

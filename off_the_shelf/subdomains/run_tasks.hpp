@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "../../core/goal.hpp"
+#include "../../parallel/scheduling/refine_by_sweeps.hpp"
 #include "../mesh_with_mesher.hpp"
 #include "part.hpp"
 
@@ -21,12 +22,17 @@ struct MesherRun {
   SubdomainMesher& mesher;
   Threads threads;
   MesherReport& report;
+  const Watcher& watcher;
   std::mutex one_at_a_time{};
 };
 
+/// Shows the mesh to the watcher of the run, if there is one. The mesh is constrained Delaunay. `made`: the number of
+/// new vertices since the last call. Throws Stopped if the watcher returns an error.
+void show(const MesherRun& run, std::uint64_t made);
+
 /// Refines each portion, all at the same time. An answer that breaks the contract is not used: its portion stays as it
-/// was. `portion_of`: for each triangle, the number of its portion, or no_index. The first portion is refined twice:
-/// two answers that differ are a breach. Returns the number of new vertices.
+/// was. `portion_of`: for each triangle, the number of its portion, or no_index. The smallest of several
+/// portions is refined twice: two answers that differ are a breach. Returns the number of new vertices.
 std::uint64_t run_tasks(MesherRun& run, const std::vector<Portion>& portions, std::span<const Index> portion_of);
 
 }  // namespace pardel::engine

@@ -166,13 +166,23 @@ class Verification {
     sides_.emplace(out_.triangles, out_.points.size());
     across_.assign(3 * out_.triangles.size(), no_index);
     on_edge_.assign(across_.size(), no_index);
-    for (Index side = 0; side < across_.size(); ++side) {
-      const Index from = start_of(side), to = end_of(side);
-      if (sides_->find(from, to) != side)
-        return Breach{BreachKind::overlap, at(from), "two triangles lie on the left of " + text(at(from), at(to))};
-      across_[side] = sides_->find(to, from);
-    }
+    for (Index a = 0; a < out_.points.size(); ++a)
+      for (const HalfEdges::Out& there : sides_->from(a)) {
+        if (there.to < a) continue;
+        for (const HalfEdges::Out& back : sides_->from(there.to)) {
+          if (back.to != a) continue;
+          if (across_[there.side] != no_index || across_[back.side] != no_index) return overlap(a, there.to);
+          across_[there.side] = back.side;
+          across_[back.side] = there.side;
+        }
+      }
+    for (Index side = 0; side < across_.size(); ++side)
+      if (across_[side] == no_index && sides_->find(start_of(side), end_of(side)) != side)
+        return overlap(start_of(side), end_of(side));
     return {};
+  }
+  [[nodiscard]] Breach overlap(Index a, Index b) const {
+    return {BreachKind::overlap, at(a), "two triangles lie on the same side of " + text(at(a), at(b))};
   }
 
   std::optional<Breach> edges_that_stay() {
@@ -201,6 +211,7 @@ class Verification {
 
   std::optional<Breach> border() {
     for (Index side = 0; side < across_.size(); ++side) {
+      if (across_[side] != no_index && on_edge_[side] == no_index) continue;
       const bool ends_here = on_edge_[side] != no_index && !in_.edges[on_edge_[side]].inside;
       const Point from = at(start_of(side)), to = at(end_of(side));
       if (across_[side] == no_index && !ends_here)
@@ -213,10 +224,12 @@ class Verification {
 
   std::optional<Breach> lengths() {
     for (Index side = 0; side < across_.size(); ++side) {
+      if (across_[side] < side) continue;  // tested from the other side
       const Index newest = std::max(start_of(side), end_of(side));
       if (newest < old_count()) continue;
       const Point from = at(start_of(side)), to = at(end_of(side));
-      if (!(distance(from, to) >= (1 - 0x1p-40) * floor_.at(at(newest))))
+      const double dx = to.x - from.x, dy = to.y - from.y;
+      if (!(dx * dx + dy * dy >= (1 - 0x1p-39) * floor_.squared_at(at(newest))))
         return Breach{BreachKind::too_short_edge, from, text(from, to) + " is too short"};
     }
     return {};

@@ -147,5 +147,26 @@ PARDEL_PROPERTY(
   RC_ASSERT(made.mesher.flipped == 0U);
 }
 
+PARDEL_PROPERTY(OffTheShelf, meshes_conform_after_each_phase,
+                {.statement = "After each phase the mesh conforms to the domain and is constrained Delaunay, also with "
+                              "a mesher that breaks the contract now and then.",
+                 .source = source,
+                 .families = shelf_families}) {
+  const Problem problem = some_fine_problem(exhibit);
+  BadMesher mesher(static_cast<BreachKind>(*rc::gen::inRange(0, breach_kinds)), 3);
+  const auto valid = validate(problem.pslg);
+  RC_ASSERT(valid.ok());
+  int seen = 0;
+  const Options options{.threads = 1, .after_sweep = [&](const Mesh& mesh, const Sweep&) -> Status {
+                          ++seen;
+                          const Certificate certificate = check(problem.pslg, mesh, {.min_angle_deg = 0});
+                          if (certificate.valid) return Done{};
+                          return Error{ErrorKind::internal, to_text(certificate)};
+                        }};
+  const auto made = mesh_with_mesher(*valid, problem.goal, mesher, small_tasks(some_scheme()), options);
+  if (!made) RC_FAIL(made.error().message);
+  RC_ASSERT(seen >= static_cast<int>(made->mesher.sweeps));
+}
+
 }  // namespace
 }  // namespace pardel::properties
