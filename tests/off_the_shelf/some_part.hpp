@@ -35,6 +35,8 @@ class WorkedDomain {
   [[nodiscard]] const Goal& goal() const { return goal_; }
   [[nodiscard]] DomainTriangulation& domain() { return domain_; }
   [[nodiscard]] MeshInWork& mesh() { return mesh_; }
+  [[nodiscard]] const Criteria& criteria() const { return criteria_; }
+  [[nodiscard]] const Options& options() const { return options_; }
   /// The mesh as it is now, with all its data.
   [[nodiscard]] Mesh exported() const {
     return to_mesh({domain_.triangulation, domain_.segments, domain_.input_of_vertex, domain_.input_segment,
