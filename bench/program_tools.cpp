@@ -7,8 +7,8 @@
 #include <fstream>
 #include <regex>
 
-#include "../cli/programs.hpp"
 #include "../core/formats.hpp"
+#include "../core/support/programs.hpp"
 #include "run_in_child.hpp"
 #include "tool.hpp"
 
@@ -16,7 +16,6 @@ namespace pardel::bench {
 namespace {
 
 namespace fs = std::filesystem;
-using cli::on_path;
 
 fs::path triangle_program() {
   const char* given = std::getenv("PARDEL_TRIANGLE");

@@ -1,13 +1,18 @@
 // pardel-harness: tests any mesher on generated domains with the independent checker.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <filesystem>
 #include <new>
+#include <system_error>
 
+#include "../../core/support/shell_words.hpp"
+#include "../../core/support/work_folder.hpp"
 #include "../distinct_files.hpp"
 #include "../exit_code.hpp"
 #include "../output.hpp"
@@ -17,8 +22,6 @@
 #include "progress_counter.hpp"
 #include "report_card.hpp"
 #include "run_cases.hpp"
-#include "shell_words.hpp"
-#include "work_folder.hpp"
 
 namespace pardel::harness {
 namespace {
@@ -63,6 +66,16 @@ ReportCard blank_card(const Options& options, const Mesher& mesher) {
   return card;
 }
 
+/// Creates the folder if it does not exist. Returns an error if no files can be created in it.
+Status make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) return Error{ErrorKind::io, fmt::format("{}: {}", folder.string(), error.message())};
+  if (access(folder.c_str(), W_OK | X_OK) != 0)
+    return Error{ErrorKind::io, fmt::format("{}: {}", folder.string(), std::strerror(errno))};
+  return Done{};
+}
+
 /// Reports unwritable outputs before any case runs.
 Status check_outputs(const Options& options) {
   if (Status fine = cli::check_standard_output(std::array{options.report, options.json}); !fine) return fine;
@@ -91,7 +104,7 @@ Result<ExitCode> run(const Options& options) {
   if (!mesher) return mesher.error();
   if (Status fine = check_outputs(options); !fine) return fine.error();
   WorkFolder work;
-  if (Status made = work.make(); !made) return made.error();
+  if (Status made = work.make("pardel-harness"); !made) return made.error();
 
   const Interrupt interrupt;
   const Trials trials{*mesher,

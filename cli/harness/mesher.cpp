@@ -1,20 +1,16 @@
 #include "mesher.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <array>
-#include <charconv>
-#include <cstdlib>
-#include <system_error>
+#include <string_view>
+#include <utility>
 
-#include "../programs.hpp"
-#include "shell_words.hpp"
+#include "../../core/support/programs.hpp"
+#include "../../core/support/shell_words.hpp"
+#include "../../core/support/shortest.hpp"
 
 namespace pardel::harness {
 namespace fs = std::filesystem;
-using cli::is_program;
-using cli::on_path;
 namespace {
 
 struct Adaptor {
@@ -56,17 +52,6 @@ const std::vector<Adaptor>& adaptors() {
   return all;
 }
 
-/// The path of a program of this project. It is looked up first in the folder of the running executable, then in the
-/// folder ../bench relative to that folder, where the programs of the benchmarks are. Empty if it is in neither.
-fs::path beside_this_program(const std::string& program) {
-  std::error_code ignored;
-  const fs::path here = fs::read_symlink("/proc/self/exe", ignored).parent_path();
-  for (const fs::path& candidate : {here / program, here.parent_path() / "bench" / program}) {
-    if (is_program(candidate)) return candidate;
-  }
-  return {};
-}
-
 Result<Mesher> adapted(const Adaptor& adaptor, bool with_area) {
   const std::string line = std::string(adaptor.command) + (with_area ? adaptor.area_words : "");
   Mesher mesher{*split_words(line), adaptor.suffix, adaptor.success_codes, line};
@@ -80,12 +65,6 @@ Result<Mesher> adapted(const Adaptor& adaptor, bool with_area) {
   }
   mesher.words[0] = program;
   return mesher;
-}
-
-std::string fixed(double value) {
-  std::array<char, 1100> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed);
-  return {digits.data(), end.ptr};
 }
 
 }  // namespace
@@ -104,15 +83,9 @@ Result<Mesher> find_mesher(const std::string& command, const std::string& suffix
                     command)};
   }
   Mesher mesher{*words, suffix, {0}, command};
-  std::string& program = mesher.words[0];
-  const bool is_name = program.find('/') == std::string::npos;
-  const fs::path found = is_name ? on_path(program) : fs::absolute(program);
-  if (!is_program(found)) {
-    return Error{ErrorKind::io,
-                 fmt::format("--mesher: {}", is_name ? "there is no program '" + program + "' on the PATH"
-                                                     : program + " is no program")};
-  }
-  program = found;
+  const Result<fs::path> program = find_program(mesher.words[0]);
+  if (!program) return Error{ErrorKind::io, "--mesher: " + program.error().message};
+  mesher.words[0] = *program;
   return mesher;
 }
 
@@ -124,12 +97,11 @@ std::string adaptors_text() {
 
 std::vector<std::string> command(const Mesher& mesher, const fs::path& poly, const fs::path& out, const Goal& goal) {
   std::vector<std::string> words = mesher.words;
-  for (std::size_t i = 1; i < words.size(); ++i) {
-    words[i] = replaced(words[i], "{poly}", poly.string());
-    words[i] = replaced(words[i], "{out}", out.string());
-    words[i] = replaced(words[i], "{min-angle}", fixed(goal.min_angle_deg));
-    words[i] = replaced(words[i], "{max-area}", fixed(goal.max_area));
-  }
+  const std::pair<std::string_view, std::string> values[] = {{"{poly}", poly.string()},
+                                                             {"{out}", out.string()},
+                                                             {"{min-angle}", fixed(goal.min_angle_deg)},
+                                                             {"{max-area}", fixed(goal.max_area)}};
+  for (std::size_t i = 1; i < words.size(); ++i) words[i] = filled_in(words[i], values);
   return words;
 }
 

@@ -1,8 +1,8 @@
 // The report card as Markdown.
 #include <fmt/format.h>
 
+#include "../../core/support/shell_words.hpp"
 #include "report_card.hpp"
-#include "shell_words.hpp"
 
 namespace pardel::harness {
 namespace {

@@ -3,14 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <csignal>
 #include <cstring>
-#include <fstream>
 #include <system_error>
 
 #include "../../core/formats.hpp"
-#include "shell_words.hpp"
+#include "../../core/support/child_process.hpp"
+#include "../../core/support/shell_words.hpp"
 
 namespace pardel::harness {
 namespace fs = std::filesystem;
@@ -21,19 +20,6 @@ constexpr int shell_signal_base = 128;
 
 /// Signals that mean a crash. Other signals stop a program from outside.
 constexpr int crash_signals[] = {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGSYS, SIGKILL};
-
-/// The first line of the mesher's output that contains "error", otherwise the last line. File names are shown without
-/// their folder.
-std::string telling_line(const fs::path& log, const fs::path& folder) {
-  std::ifstream in(log);
-  std::string telling;
-  for (std::string line; std::getline(in, line);) {
-    std::erase_if(line, [](unsigned char c) { return std::iscntrl(c) != 0; });
-    if (line.find_first_not_of(' ') != std::string::npos) telling = line;
-    if (line.find("rror") != std::string::npos) break;
-  }
-  return replaced(telling, folder.string() + '/', "");
-}
 
 Outcome failed(Verdict verdict, std::string kind, std::string message) {
   return {verdict, {{std::move(kind), std::move(message)}}, {}, {}};
@@ -56,15 +42,15 @@ Outcome judge_file(const Trials& trials, const Pslg& pslg, const Goal& goal, con
 Result<Outcome> outcome_of(const ChildRun& run, const Trials& trials, const Pslg& pslg, const Goal& goal,
                            const fs::path& folder, const fs::path& log) {
   switch (run.ending) {
-    case Ending::not_started:
+    case ChildEnding::not_started:
       return Error{ErrorKind::resources, fmt::format("no process: {}", std::strerror(run.number))};
-    case Ending::interrupted:
+    case ChildEnding::interrupted:
       return Error{ErrorKind::cancelled, "interrupted"};
-    case Ending::timed_out:
+    case ChildEnding::timed_out:
       return failed(Verdict::hung, "time limit", fmt::format("not finished within {} s", trials.limits.seconds));
-    case Ending::signalled:
+    case ChildEnding::signalled:
       return failed(Verdict::crashed, signal_name(run.number), telling_line(log, folder));
-    case Ending::exited:
+    case ChildEnding::exited:
       break;
   }
   const auto& success = trials.mesher.success_codes;

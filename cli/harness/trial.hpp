@@ -7,8 +7,8 @@
 #include "../../core/goal.hpp"
 #include "../../core/pslg.hpp"
 #include "../../core/result.hpp"
+#include "../../core/support/child_process.hpp"
 #include "case.hpp"
-#include "child_process.hpp"
 #include "mesher.hpp"
 #include "outcome.hpp"
 
@@ -20,7 +20,7 @@ struct Trials {
   double min_angle_deg = 20;
   double max_area_fraction = 0;  ///< area bound as a fraction of the bounding box's area; 0: none
   bool delaunay = true;          ///< see judge()
-  Limits limits;
+  ChildLimits limits;
   std::function<bool()> stop;  ///< called often, from several threads; true: stop all trials
 };
 

@@ -1,8 +1,8 @@
-#include "../../cli/harness/shell_words.hpp"
+#include "../../../core/support/shell_words.hpp"
 
 #include <gtest/gtest.h>
 
-namespace pardel::harness {
+namespace pardel {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -40,5 +40,11 @@ TEST(Replaced, replaces_every_occurrence_once) {
   EXPECT_EQ(replaced("none", "{a}", "b"), "none");
 }
 
+TEST(FilledIn, replaces_placeholders_and_searches_no_value_again) {
+  const std::pair<std::string_view, std::string> values[] = {{"{a}", "{b}"}, {"{b}", "2"}};
+  EXPECT_EQ(filled_in("-o{a}{b}{c}{a", values), "-o{b}2{c}{a");
+  EXPECT_EQ(filled_in("", values), "");
+}
+
 }  // namespace
-}  // namespace pardel::harness
+}  // namespace pardel

@@ -7,15 +7,16 @@
 #include <string>
 #include <vector>
 
-namespace pardel::harness {
+namespace pardel {
 
-struct Limits {
+struct ChildLimits {
   double seconds = 10;                                 ///< wall-clock time
   std::uint64_t memory_bytes = 0;                      ///< address space; 0: no limit
   std::uint64_t file_bytes = std::uint64_t{1} << 28U;  ///< size of each file that it writes
+  bool one_thread = false;                             ///< its OMP_NUM_THREADS is 1
 };
 
-enum class Ending : std::uint8_t {
+enum class ChildEnding : std::uint8_t {
   exited,     ///< the child process exited; `number` is its exit code: that of the program, or 126 if the program could
               ///< not be run
   signalled,  ///< a signal ended the program; `number` is the signal
@@ -25,7 +26,7 @@ enum class Ending : std::uint8_t {
 };
 
 struct ChildRun {
-  Ending ending = Ending::not_started;
+  ChildEnding ending = ChildEnding::not_started;
   int number = 0;  ///< its meaning depends on `ending`
 };
 
@@ -34,9 +35,13 @@ struct ChildRun {
 /// over, or when stop() returns true; stop() is called about ten times a second. Several threads may
 /// call run_child() at the same time.
 [[nodiscard]] ChildRun run_child(const std::vector<std::string>& words, const std::filesystem::path& log,
-                                 const Limits& limits, const std::function<bool()>& stop);
+                                 const ChildLimits& limits, const std::function<bool()>& stop);
+
+/// Of what a program has written to its log: the first line that contains "error", otherwise the last line that is not
+/// blank; without control characters. File names are shown without `folder`.
+[[nodiscard]] std::string telling_line(const std::filesystem::path& log, const std::filesystem::path& folder);
 
 /// The name of a signal, such as "SIGSEGV".
 [[nodiscard]] std::string signal_name(int signal);
 
-}  // namespace pardel::harness
+}  // namespace pardel

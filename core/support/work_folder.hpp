@@ -2,10 +2,11 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
-#include "../../core/result.hpp"
+#include "../result.hpp"
 
-namespace pardel::harness {
+namespace pardel {
 
 /// make() creates the folder in the system's folder for temporary files. The destructor removes it with its contents.
 class WorkFolder {
@@ -15,14 +16,12 @@ class WorkFolder {
   WorkFolder(const WorkFolder&) = delete;
   WorkFolder& operator=(const WorkFolder&) = delete;
 
-  [[nodiscard]] Status make();
+  /// The name of the folder begins with `prefix`; no other folder has this name. Error: `io`.
+  [[nodiscard]] Status make(const std::string& prefix);
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
  private:
   std::filesystem::path path_;
 };
 
-/// Creates the folder if it does not exist. Returns an error if no files can be created in it.
-[[nodiscard]] Status make_folder(const std::filesystem::path& folder);
-
-}  // namespace pardel::harness
+}  // namespace pardel

@@ -1,8 +1,9 @@
 #include "shell_words.hpp"
 
+#include <algorithm>
 #include <utility>
 
-namespace pardel::harness {
+namespace pardel {
 
 Result<std::vector<std::string>> split_words(std::string_view line) {
   std::vector<std::string> words;
@@ -41,4 +42,19 @@ std::string replaced(std::string text, std::string_view what, std::string_view w
   return text;
 }
 
-}  // namespace pardel::harness
+std::string filled_in(std::string_view text, std::span<const std::pair<std::string_view, std::string>> placeholders) {
+  std::string result;
+  while (!text.empty()) {
+    const auto found =
+        std::ranges::find_if(placeholders, [&](const auto& each) { return text.starts_with(each.first); });
+    const bool is_placeholder = found != placeholders.end();
+    if (is_placeholder)
+      result += found->second;
+    else
+      result += text.front();
+    text.remove_prefix(is_placeholder ? found->first.size() : 1);
+  }
+  return result;
+}
+
+}  // namespace pardel
