@@ -36,7 +36,12 @@ std::vector<NamedProgram> all_named() {
   // .poly, no messages.
   const std::string switches = " -rpBPQYYq{min-angle}aS{max-points} {mesh}";
   return {
-      {"triangle", {"triangle" + switches, "ele", {0}, false, "scripts/install-packages peers fetches it"}},
+      {"triangle",
+       {"triangle" + switches,
+        "ele",
+        {0},
+        false,
+        "Debian has it in non-free, as triangle-bin (scripts/install-packages peers)"}},
       // Exit code 4 means: the files are written, and a bound is missed.
       {"pardel-triangle", {"pardel triangle" + switches, "ele", {0, 4}, true, "build the target pardel"}},
   };
