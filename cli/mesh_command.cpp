@@ -111,13 +111,26 @@ Refusal why_not_meshed(const MeshArguments& arguments, const MeshInput& input, c
   return with_name(error, arguments.input.string());
 }
 
-Result<Meshed> make_mesh(const MeshInput& input, const Goal& goal, const Options& options) {
+/// The mesh of a domain by the mesher of --mesher. Describes in `run` what the mesher has done.
+Result<Meshed> mesh_with(SubdomainMesher& mesher, const MesherArguments& arguments, const ValidPslg& domain,
+                         const Goal& goal, const Options& options, MeshRun& run) {
+  Result<MeshedWithMesher> made = mesh_with_mesher(domain, goal, mesher, arguments.how, options);
+  if (!made) return made.error();
+  run.mesher = MesherOfRun{arguments.name, arguments.how.scheme, made->mesher};
+  return Meshed{std::move(made->mesh), std::move(made->report)};
+}
+
+/// `mesher`: that of --mesher, or null.
+Result<Meshed> make_mesh(const MeshArguments& arguments, const MeshInput& input, SubdomainMesher* mesher,
+                         const Goal& goal, const Options& options, MeshRun& run) {
   if (const auto* coarse = std::get_if<CoarseMesh>(&input.source)) {
     Result<Meshed> refined = refine(coarse->mesh, coarse->max_areas, goal, options);
     if (refined) refined->mesh.names = coarse->mesh.names;  // markers and regions stay the same
     return refined;
   }
-  return mesh(std::get<ValidPslg>(input.source), goal, options);
+  const ValidPslg& domain = std::get<ValidPslg>(input.source);
+  if (mesher != nullptr) return mesh_with(*mesher, arguments.mesher, domain, goal, options, run);
+  return mesh(domain, goal, options);
 }
 
 Certificate check_mesh(const MeshArguments& arguments, const MeshInput& input, const Meshed& meshed, const Goal& goal,
@@ -201,6 +214,12 @@ Result<ExitCode> run(MeshArguments& arguments) {
   const Stopwatch total;
   if (Status complete = complete_options(arguments); !complete) return complete.error();
   if (Status fine = check_outputs(arguments); !fine) return fine.error();
+  std::unique_ptr<SubdomainMesher> mesher;
+  if (!arguments.mesher.name.empty()) {
+    Result<std::unique_ptr<SubdomainMesher>> found = find_mesher(arguments.mesher.name);
+    if (!found) return found.error();
+    mesher = std::move(*found);
+  }
   const MemoryWatch memory_watch(arguments.options.max_memory);
   ProgressBar bar(arguments.progress);
 
@@ -217,7 +236,7 @@ Result<ExitCode> run(MeshArguments& arguments) {
   Options how = arguments.options;
   if (arguments.paranoid) watch_sweeps(arguments, pslg, *goal, run.sweeps_checked.emplace(0), how);
   warn_of_many_triangles({arguments.input.string(), "pardel", "--max-vertices limits their number"}, run.large, how);
-  Result<Meshed> meshed = make_mesh(*input, *goal, with_progress(how, bar));
+  Result<Meshed> meshed = make_mesh(arguments, *input, mesher.get(), *goal, with_progress(how, bar), run);
   if (!meshed) return refuse(why_not_meshed(arguments, *input, meshed.error()));
   note_and_drop_points_outside(arguments, meshed->mesh, run);
   watch.lap();

@@ -11,6 +11,7 @@
 #include "../parallel/options.hpp"
 #include "goal_options.hpp"
 #include "mesh_format_options.hpp"
+#include "mesher_options.hpp"
 #include "output.hpp"
 #include "progress_bar.hpp"
 
@@ -29,6 +30,7 @@ struct MeshArguments {
   std::optional<double> snap;
   bool check = false;
   bool paranoid = false;
+  MesherArguments mesher;
   MeshFormatOptions format;
   bool drop_unused = false;
   std::filesystem::path json;

@@ -3,6 +3,7 @@
 
 #include "../core/formats.hpp"
 #include "../core/support/enum_names.hpp"
+#include "../off_the_shelf/mesh_with_mesher.hpp"
 #include "../parallel/options.hpp"
 #include "progress_bar.hpp"
 
@@ -18,6 +19,11 @@ inline constexpr auto interior_names = enum_names<Interior>({
     {Interior::refine, "refine"},
     {Interior::fill, "fill"},
     {Interior::automatic, "auto"},
+});
+inline constexpr auto scheme_names = enum_names<Scheme>({
+    {Scheme::frozen, "frozen"},
+    {Scheme::cells, "cells"},
+    {Scheme::decoupled, "decoupled"},
 });
 inline constexpr auto decomposition_names = enum_names<Decomposition>({
     {Decomposition::automatic, "auto"},

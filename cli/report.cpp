@@ -222,6 +222,7 @@ std::string to_json(const MeshRun& run) {
   if (run.large) json["warnings"].push_back(warning_json(*run.large));
   if (run.ranks && run.ranks->divided) json["warnings"] = json["gaps"] = nullptr;
   if (run.ranks) json["ranks"] = ranks_json(*run.ranks);
+  if (run.mesher) json["mesher"] = mesher_json(*run.mesher);
   if (run.certificate) json["certificate"] = nlohmann::ordered_json::parse(to_json(*run.certificate));
   return json_text(json);
 }
@@ -243,6 +244,7 @@ std::string text_of_mesh(const MeshRun& run) {
                       mesh.min_angle_deg, mesh.max_angle_deg, mesh.area);
   text += names_text(run.names);
   text += filling_text(run.report, run.options.interior == Interior::fill);
+  if (run.mesher) text += mesher_text(*run.mesher);
   if (const std::string list = reasons(run.exempt, true); !list.empty())
     text += fmt::format("exempt  {}, each at a small input angle\n", list);
   if (const std::string list = reasons(run.exempt, false); !list.empty()) text += fmt::format("missed  {}\n", list);

@@ -16,6 +16,7 @@
 #include "../properties/checker/check.hpp"
 #include "../properties/checker/statistics.hpp"
 #include "exempt_triangles.hpp"
+#include "mesher_report.hpp"
 
 namespace pardel::cli {
 
@@ -57,7 +58,8 @@ struct MeshRun {
   std::optional<std::uint64_t> sweeps_checked;  ///< only with --paranoid
   std::vector<std::filesystem::path> outputs;
   Seconds seconds;
-  std::optional<RanksOfRun> ranks;  ///< only of pardel-mpi
+  std::optional<RanksOfRun> ranks;    ///< only of pardel-mpi
+  std::optional<MesherOfRun> mesher;  ///< only with --mesher
 };
 
 /// Fills in the numbers of points, segments, holes and regions.

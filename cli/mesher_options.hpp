@@ -1,0 +1,23 @@
+// The options of `pardel mesh` for a sequential mesher that does the work (off_the_shelf/).
+#pragma once
+
+#include <CLI/App.hpp>
+#include <memory>
+#include <string>
+
+#include "../core/result.hpp"
+#include "../off_the_shelf/mesh_with_mesher.hpp"
+
+namespace pardel::cli {
+
+struct MesherArguments {
+  std::string name;  ///< a name or a command; empty: pardel works in its own way
+  MesherOptions how;
+};
+
+void add_mesher_options(CLI::App& app, MesherArguments& arguments);
+
+/// The mesher. Errors: `usage` for a command that cannot be used, `io` for a program that does not exist.
+[[nodiscard]] Result<std::unique_ptr<SubdomainMesher>> find_mesher(const std::string& name);
+
+}  // namespace pardel::cli
