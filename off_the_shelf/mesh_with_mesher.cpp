@@ -69,9 +69,9 @@ Result<MeshedWithMesher> run_with(SubdomainMesher& mesher, const ValidPslg& vali
   run_scheme(run);
 
   Result<Mesh> mesh =
-      refine_domain(*std::move(domain), plan->criteria, std::move(input), options, progress, result.report);
+      refine_domain(std::move(*domain), plan->criteria, std::move(input), options, progress, result.report);
   if (!mesh) return mesh.error();
-  result.mesh = *std::move(mesh);
+  result.mesh = std::move(*mesh);
   result.mesher.completed = result.report.inserted + result.report.segment_splits;
   result.report.inserted += result.mesher.inserted + result.mesher.prepared;
   result.report.refine_seconds = watch.lap();

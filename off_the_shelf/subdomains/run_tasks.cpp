@@ -90,7 +90,7 @@ Attempt attempt(MesherRun& run, PartMaker& maker, const Portion& portion, std::u
   if (!verified) {
     result.breach = verified.error();
   } else {
-    result.replacement = Replacement{std::move(part), *std::move(verified)};
+    result.replacement = Replacement{std::move(part), std::move(*verified)};
   }
   result.verification_seconds = watch.lap();
   return result;

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "../../off_the_shelf/breach.hpp"
 #include "../../parallel/report.hpp"
 #include "../../parallel/validate.hpp"
 #include "../../properties/checker/check.hpp"
@@ -65,6 +66,22 @@ TEST_F(ReportSchema, describes_exemptions_of_both_sorts) {
   EXPECT_FALSE(budget.at("goal_met").get<bool>());
   EXPECT_FALSE(budget.at("certificate").at("violations").empty());
   EXPECT_EQ(schema_violations(schema(), budget), Strings());
+}
+
+TEST_F(ReportSchema, describes_what_a_sequential_mesher_has_done) {
+  const Json breaches = report({"--max-area", "0.0001", "--mesher", "false {mesh}"});
+  EXPECT_EQ(schema_violations(schema(), breaches), Strings());
+  EXPECT_EQ(breaches.at("mesher").at("breaches").at(0).at("kind"), "crashed");
+  const Json none = report({"--max-area", "0.001", "--mesher", "own", "--scheme", "cells"});
+  EXPECT_EQ(schema_violations(schema(), none), Strings());
+  EXPECT_TRUE(none.at("mesher").at("breaches").empty());
+}
+
+TEST_F(ReportSchema, lists_every_kind_of_breach) {
+  Json kinds = Json::array();
+  for (int i = 0; i < breach_kinds; ++i) kinds.push_back(name(static_cast<BreachKind>(i)));
+  const Json& mesher = schema().at("properties").at("mesher").at("properties");
+  EXPECT_EQ(mesher.at("breaches").at("items").at("properties").at("kind").at("enum"), kinds);
 }
 
 TEST_F(ReportSchema, describes_the_certificate_that_pardel_check_writes) {

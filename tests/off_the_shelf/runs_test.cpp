@@ -29,7 +29,7 @@ MeshedWithMesher run(const Problem& problem, SubdomainMesher& mesher, const Mesh
   RC_ASSERT(valid.ok());
   Result<MeshedWithMesher> result = mesh_with_mesher(*valid, problem.goal, mesher, how, {.threads = threads});
   if (!result) RC_FAIL(result.error().message);
-  return *std::move(result);
+  return std::move(*result);
 }
 
 /// Any case, with a bound on areas that a mesh of a few hundred triangles keeps, or sizes that grow from a place.
