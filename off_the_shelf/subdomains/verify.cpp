@@ -1,33 +1,19 @@
 #include "verify.hpp"
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "../../core/support/shortest.hpp"
-#include "../../parallel/arithmetic/distance.hpp"
 #include "../../parallel/arithmetic/predicates.hpp"
-#include "../../parallel/arithmetic/projected.hpp"
 #include "half_edges.hpp"
+#include "verify_points.hpp"
 
 namespace pardel::engine {
 namespace {
 
 using Corners = HalfEdges::Corners;
-
-bool same_bits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
-
-std::string text(Point a, Point b) { return "the edge from " + shortest(a) + " to " + shortest(b); }
-
-/// A new point on an edge.
-struct OnEdge {
-  Index edge;
-  double along;  ///< 0 at the start of the edge, 1 at its end
-  Index point;
-};
 
 /// The steps of verify(). Each returns the first breach that it finds. A step relies on those before it.
 class Verification {
@@ -37,9 +23,9 @@ class Verification {
       : in_(subdomain), out_(answer), lines_(lines), floor_(floor) {}
 
   std::optional<Breach> run() {
-    for (const auto step : {&Verification::ending, &Verification::old_points, &Verification::new_points,
-                            &Verification::corners, &Verification::orientations, &Verification::pair_sides,
-                            &Verification::edges_that_stay, &Verification::border, &Verification::lengths})
+    for (const auto step :
+         {&Verification::ending, &Verification::points, &Verification::corners, &Verification::orientations,
+          &Verification::pair_sides, &Verification::edges_that_stay, &Verification::border, &Verification::lengths})
       if (std::optional<Breach> found = (this->*step)()) return found;
     return {};
   }
@@ -72,69 +58,7 @@ class Verification {
     }
   }
 
-  std::optional<Breach> old_points() {
-    const auto& given = in_.points;
-    for (std::size_t i = 0; i < given.size(); ++i) {
-      if (i >= out_.points.size())
-        return Breach{BreachKind::moved_point, given[i],
-                      "point " + std::to_string(i) + " at " + shortest(given[i]) + " is missing"};
-      if (!same_bits(given[i].x, out_.points[i].x) || !same_bits(given[i].y, out_.points[i].y))
-        return Breach{
-            BreachKind::moved_point, given[i],
-            "point " + std::to_string(i) + " moved from " + shortest(given[i]) + " to " + shortest(out_.points[i])};
-    }
-    return {};
-  }
-
-  std::optional<Breach> new_points() {
-    const std::size_t made = out_.points.size() - old_count();
-    if (made > in_.most_new_points)
-      return Breach{BreachKind::too_many_points, out_.points.back(),
-                    std::to_string(made) + " new points, at most " + std::to_string(in_.most_new_points) + " allowed"};
-    if (out_.edge_of_new_point.size() != made)
-      return Breach{
-          BreachKind::wrong_index, in_.points.empty() ? Point{} : in_.points.front(),
-          std::to_string(out_.edge_of_new_point.size()) + " edges for " + std::to_string(made) + " new points"};
-    for (std::size_t i = 0; i < made; ++i)
-      if (auto found = new_point(static_cast<Index>(old_count() + i), out_.edge_of_new_point[i])) return found;
-    return {};
-  }
-
-  std::optional<Breach> new_point(Index point, Index edge) {
-    Point& p = out_.points[point];
-    if (!is_usable(p))
-      return Breach{BreachKind::unusable_point, p,
-                    "the coordinates of " + shortest(p) + " are out of the range of exact arithmetic"};
-    if (edge != no_index)
-      if (auto found = move_onto_edge(point, edge)) return found;
-    if (in_.cell && !in_.cell->contains(p))
-      return Breach{
-          BreachKind::outside_cell, p,
-          shortest(p) + " is outside the cell from " + shortest(in_.cell->low) + " to " + shortest(in_.cell->high)};
-    return {};
-  }
-
-  std::optional<Breach> move_onto_edge(Index point, Index edge) {
-    Point& p = out_.points[point];
-    if (edge >= in_.edges.size())
-      return Breach{
-          BreachKind::wrong_index, p,
-          shortest(p) + " is said to be on edge " + std::to_string(edge) + " of " + std::to_string(in_.edges.size())};
-    const SubdomainEdge& e = in_.edges[edge];
-    const Point a = at(e.a), b = at(e.b);
-    if (!e.may_be_split) return Breach{BreachKind::split_frozen_edge, p, shortest(p) + " is on " + text(a, b)};
-    const double dx = b.x - a.x, dy = b.y - a.y;
-    const double along = ((p.x - a.x) * dx + (p.y - a.y) * dy) / (dx * dx + dy * dy);
-    const Point on_line = projected(p, lines_[edge].a, lines_[edge].b);
-    // What a mesher's own rounding can explain, far below the length of any triangle.
-    const double tolerance =
-        1e-9 * distance(a, b) + 0x1p-48 * std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)});
-    if (!(along > 0 && along < 1) || !(distance(p, on_line) <= tolerance) || !is_usable(on_line))
-      return Breach{BreachKind::off_segment, p, shortest(p) + " is not on " + text(a, b)};
-    p = on_line;
-    on_edges_.push_back({edge, along, point});
-    return {};
-  }
+  std::optional<Breach> points() { return verify_points(in_, lines_, out_, on_edges_); }
 
   std::optional<Breach> corners() {
     std::vector<char> used(out_.points.size(), 0);
@@ -182,11 +106,11 @@ class Verification {
     return {};
   }
   [[nodiscard]] Breach overlap(Index a, Index b) const {
-    return {BreachKind::overlap, at(a), "two triangles lie on the same side of " + text(at(a), at(b))};
+    return {BreachKind::overlap, at(a), "two triangles lie on the same side of " + text_of_edge(at(a), at(b))};
   }
 
   std::optional<Breach> edges_that_stay() {
-    std::ranges::sort(on_edges_, {}, [](const OnEdge& p) { return std::pair(p.edge, p.along); });
+    std::ranges::sort(on_edges_, {}, [](const PointOnEdge& p) { return std::pair(p.edge, p.along); });
     auto next = on_edges_.begin();
     for (Index edge = 0; edge < in_.edges.size(); ++edge) {
       Index from = in_.edges[edge].a;
@@ -203,7 +127,7 @@ class Verification {
   std::optional<Breach> piece(Index edge, Index from, Index to) {
     const Index left = sides_->find(from, to), right = sides_->find(to, from);
     if (left == no_index || (in_.edges[edge].inside && right == no_index))
-      return Breach{BreachKind::lost_edge, at(from), text(at(from), at(to)) + " is missing"};
+      return Breach{BreachKind::lost_edge, at(from), text_of_edge(at(from), at(to)) + " is missing"};
     on_edge_[left] = edge;
     if (in_.edges[edge].inside) on_edge_[right] = edge;
     return {};
@@ -215,9 +139,9 @@ class Verification {
       const bool ends_here = on_edge_[side] != no_index && !in_.edges[on_edge_[side]].inside;
       const Point from = at(start_of(side)), to = at(end_of(side));
       if (across_[side] == no_index && !ends_here)
-        return Breach{BreachKind::open_edge, from, text(from, to) + " has a triangle on one side only"};
+        return Breach{BreachKind::open_edge, from, text_of_edge(from, to) + " has a triangle on one side only"};
       if (across_[side] != no_index && ends_here)
-        return Breach{BreachKind::overlap, from, "a triangle lies beyond the border, at " + text(from, to)};
+        return Breach{BreachKind::overlap, from, "a triangle lies beyond the border, at " + text_of_edge(from, to)};
     }
     return {};
   }
@@ -230,7 +154,7 @@ class Verification {
       const Point from = at(start_of(side)), to = at(end_of(side));
       const double dx = to.x - from.x, dy = to.y - from.y;
       if (!(dx * dx + dy * dy >= (1 - 0x1p-39) * floor_.squared_at(at(newest))))
-        return Breach{BreachKind::too_short_edge, from, text(from, to) + " is too short"};
+        return Breach{BreachKind::too_short_edge, from, text_of_edge(from, to) + " is too short"};
     }
     return {};
   }
@@ -239,7 +163,7 @@ class Verification {
   RefinedSubdomain& out_;
   std::span<const EndPoints> lines_;
   const Floor& floor_;
-  std::vector<OnEdge> on_edges_;
+  std::vector<PointOnEdge> on_edges_;
   std::optional<HalfEdges> sides_;
   std::vector<Index> across_, on_edge_;
 };

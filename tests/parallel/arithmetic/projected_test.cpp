@@ -23,8 +23,8 @@ TEST(Projected, removes_the_rounding_of_a_point_far_from_the_origin) {
   const Point a{1e6, 1e6}, b{1e6 + 3, 1e6 + 7};
   const Point rounded{std::lerp(a.x, b.x, 0.3) + 4e-10, std::lerp(a.y, b.y, 0.3)};
   const Point p = projected(rounded, a, b);
-  const double off = ((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x)) / std::hypot(b.x - a.x, b.y - a.y);
-  EXPECT_LE(std::abs(off), 1.2e-10);  // a unit in the last place of the coordinates
+  const double beside = ((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x)) / std::hypot(b.x - a.x, b.y - a.y);
+  EXPECT_LE(std::abs(beside), 1.2e-10);  // a unit in the last place of the coordinates
   EXPECT_NEAR(p.x, rounded.x, 1e-9);
 }
 
