@@ -1,0 +1,80 @@
+// The bounds of a subdomain, for libraries that ask about a triangle: whether it is bad, and whether its circumcentre
+// may be inserted.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "../../core/support/doubled_area.hpp"
+#include "../../off_the_shelf/subdomain_mesher.hpp"
+
+namespace pardel::bench {
+
+/// Keeps a reference to the subdomain. For one thread.
+class Bounds {
+ public:
+  explicit Bounds(const Subdomain& subdomain) : subdomain_(subdomain) {
+    const double sine = std::sin(subdomain.goal.min_angle_deg * (std::numbers::pi / 180));
+    squared_sine_ = sine * sine;
+    const auto& caps = subdomain.max_areas;
+    same_cap_everywhere_ = std::ranges::adjacent_find(caps, std::ranges::not_equal_to()) == caps.end();
+  }
+
+  /// True if the triangle breaks a bound of the goal.
+  [[nodiscard]] bool is_bad(Point a, Point b, Point c) const {
+    const double area = doubled_area(a, b, c) / 2;
+    std::array<double, 3> lengths{squared(b, c), squared(c, a), squared(a, b)};
+    std::ranges::sort(lengths);
+    // The smallest angle lies between the longest edges.
+    if (4 * area * area < squared_sine_ * lengths[1] * lengths[2]) return true;
+    const Point centroid{(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3};
+    if (area > max_area_at(centroid)) return true;
+    const double edge = max_edge_at(centroid);
+    return lengths[2] > edge * edge;
+  }
+
+  /// The longest edge at a place.
+  [[nodiscard]] double max_edge_at(Point p) const {
+    const Goal& goal = subdomain_.goal;
+    return goal.size ? std::min(goal.max_edge, goal.size(p)) : goal.max_edge;
+  }
+
+  /// True if the circumcentre of a triangle with this corner may become a point: it lies in the cell, and the circle is
+  /// large enough for a mesh in doubles.
+  [[nodiscard]] bool may_insert(Point centre, Point corner) const {
+    constexpr double resolution = 0x1p-40;
+    const double floor = std::max(subdomain_.min_edge, resolution * std::max(std::abs(centre.x), std::abs(centre.y)));
+    return (!subdomain_.cell || subdomain_.cell->contains(centre)) && squared(centre, corner) > 4 * floor * floor;
+  }
+
+ private:
+  static double squared(Point a, Point b) { return (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y); }
+
+  [[nodiscard]] double max_area_at(Point p) const {
+    const auto& caps = subdomain_.max_areas;
+    if (caps.empty()) return subdomain_.goal.max_area;
+    if (!same_cap_everywhere_ && !contains(last_, p)) {
+      for (std::size_t t = 0; t < caps.size(); ++t)
+        if (contains(t, p)) {
+          last_ = t;
+          break;
+        }
+    }
+    return caps[last_];
+  }
+  [[nodiscard]] bool contains(std::size_t triangle, Point p) const {
+    const auto& v = subdomain_.triangles[triangle];
+    const auto& points = subdomain_.points;
+    const auto is_left = [&](Index i, Index j) { return doubled_area(points[i], points[j], p) >= 0; };
+    return is_left(v[0], v[1]) && is_left(v[1], v[2]) && is_left(v[2], v[0]);
+  }
+
+  const Subdomain& subdomain_;
+  double squared_sine_;
+  bool same_cap_everywhere_;
+  mutable std::size_t last_ = 0;  ///< the triangle that contained the last place
+};
+
+}  // namespace pardel::bench
