@@ -22,18 +22,23 @@ class Bounds {
     same_cap_everywhere_ = std::ranges::adjacent_find(caps, std::ranges::not_equal_to()) == caps.end();
   }
 
-  /// True if the triangle breaks a bound of the goal.
-  [[nodiscard]] bool is_bad(Point a, Point b, Point c) const {
+  /// How good a triangle is.
+  struct Quality {
+    double size = 0;          ///< above 1: too large; its area, or its squared longest edge, in units of the bound
+    double squared_sine = 1;  ///< of the smallest angle
+  };
+  [[nodiscard]] Quality quality(Point a, Point b, Point c) const {
     const double area = doubled_area(a, b, c) / 2;
     std::array<double, 3> lengths{squared(b, c), squared(c, a), squared(a, b)};
     std::ranges::sort(lengths);
-    // The smallest angle lies between the longest edges.
-    if (4 * area * area < squared_sine_ * lengths[1] * lengths[2]) return true;
     const Point centroid{(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3};
-    if (area > max_area_at(centroid)) return true;
     const double edge = max_edge_at(centroid);
-    return lengths[2] > edge * edge;
+    // The smallest angle lies between the longest edges.
+    return {std::max(area / max_area_at(centroid), lengths[2] / (edge * edge)),
+            4 * area * area / (lengths[1] * lengths[2])};
   }
+  [[nodiscard]] bool is_too_large(const Quality& q) const { return q.size > 1; }
+  [[nodiscard]] bool is_thin(const Quality& q) const { return q.squared_sine < squared_sine_; }
 
   /// The longest edge at a place.
   [[nodiscard]] double max_edge_at(Point p) const {

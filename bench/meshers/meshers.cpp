@@ -1,6 +1,7 @@
 #include "meshers.hpp"
 
 #include "../../off_the_shelf/own_mesher.hpp"
+#include "cgal_mesh_2.hpp"
 #include "triangle_library.hpp"
 
 namespace pardel::bench {
@@ -8,6 +9,8 @@ namespace pardel::bench {
 const std::vector<NamedMesher>& meshers() {
   static const std::vector<NamedMesher> all{
       {"own", own_mesher},
+      {"cgal", cgal_mesh_2},
+      {"cgal-segments", cgal_mesh_2_with_segments},
 #ifdef PARDEL_TRIANGLE
       {"triangle", triangle_library},
 #endif

@@ -114,7 +114,8 @@ bool is_unsuitable(const Bounds& bounds, Point a, Point b, Point c) {
   const double margin = 1e-9 * std::hypot(centre.x - a.x, centre.y - a.y);
   for (const Point p : {Point{centre.x - margin, centre.y - margin}, Point{centre.x + margin, centre.y + margin}})
     if (!bounds.may_insert(p, a)) return false;
-  return bounds.is_bad(a, b, c);
+  const Bounds::Quality quality = bounds.quality(a, b, c);
+  return bounds.is_too_large(quality) || bounds.is_thin(quality);
 }
 
 /// -u: split what the hook says. -D: a circumcentre encroaches upon a segment if it lies in its diametral circle.
