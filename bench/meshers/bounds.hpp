@@ -46,17 +46,7 @@ class Bounds {
     return goal.size ? std::min(goal.max_edge, goal.size(p)) : goal.max_edge;
   }
 
-  /// True if the circumcentre of a triangle with this corner may become a point: it lies in the cell, and the circle is
-  /// large enough for a mesh in doubles.
-  [[nodiscard]] bool may_insert(Point centre, Point corner) const {
-    constexpr double resolution = 0x1p-40;
-    const double floor = std::max(subdomain_.min_edge, resolution * std::max(std::abs(centre.x), std::abs(centre.y)));
-    return (!subdomain_.cell || subdomain_.cell->contains(centre)) && squared(centre, corner) > 4 * floor * floor;
-  }
-
- private:
-  static double squared(Point a, Point b) { return (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y); }
-
+  /// The largest area at a place.
   [[nodiscard]] double max_area_at(Point p) const {
     const auto& caps = subdomain_.max_areas;
     if (caps.empty()) return subdomain_.goal.max_area;
@@ -69,6 +59,17 @@ class Bounds {
     }
     return caps[last_];
   }
+  /// True if the circumcentre of a triangle with this corner may become a point: it lies in the cell, and the circle is
+  /// large enough for a mesh in doubles.
+  [[nodiscard]] bool may_insert(Point centre, Point corner) const {
+    constexpr double resolution = 0x1p-40;
+    const double floor = std::max(subdomain_.min_edge, resolution * std::max(std::abs(centre.x), std::abs(centre.y)));
+    return (!subdomain_.cell || subdomain_.cell->contains(centre)) && squared(centre, corner) > 4 * floor * floor;
+  }
+
+ private:
+  static double squared(Point a, Point b) { return (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y); }
+
   [[nodiscard]] bool contains(std::size_t triangle, Point p) const {
     const auto& v = subdomain_.triangles[triangle];
     const auto& points = subdomain_.points;

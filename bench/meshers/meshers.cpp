@@ -2,6 +2,7 @@
 
 #include "../../off_the_shelf/own_mesher.hpp"
 #include "cgal_mesh_2.hpp"
+#include "gmsh_library.hpp"
 #include "triangle_library.hpp"
 
 namespace pardel::bench {
@@ -11,6 +12,9 @@ const std::vector<NamedMesher>& meshers() {
       {"own", own_mesher},
       {"cgal", cgal_mesh_2},
       {"cgal-segments", cgal_mesh_2_with_segments},
+#ifdef PARDEL_GMSH
+      {"gmsh", gmsh_library},
+#endif
 #ifdef PARDEL_TRIANGLE
       {"triangle", triangle_library},
 #endif
