@@ -1,0 +1,167 @@
+// off_the_shelf: makes one mesh with several sequential meshers through the schemes of off_the_shelf/, and with the
+// same meshers alone. The result is one table of medians; the runs are interleaved. See --help.
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "../core/digest.hpp"
+#include "../core/support/stopwatch.hpp"
+#include "../core/support/work_folder.hpp"
+#include "../off_the_shelf/in_processes.hpp"
+#include "../off_the_shelf/mesh_with_mesher.hpp"
+#include "../off_the_shelf/program_mesher.hpp"
+#include "../parallel/mesher.hpp"
+#include "../properties/checker/check.hpp"
+#include "meshers/meshers.hpp"
+#include "tool.hpp"
+
+namespace pardel::bench {
+namespace {
+
+struct Settings {
+  Task task;
+  std::vector<std::string> meshers;
+  std::vector<std::string> schemes = {"frozen", "cells", "decoupled"};
+  std::vector<int> threads = {1, 2};
+  std::uint32_t triangles_per_task = MesherOptions{}.triangles_per_task;
+  int runs = 3;
+};
+
+/// A mesher with a scheme and a number of threads.
+struct Row {
+  std::string mesher;
+  Scheme scheme;
+  int threads;
+  std::vector<double> seconds{};
+  MeshedWithMesher made{};  ///< of the last run
+  std::string digest{}, verdict{};
+};
+
+std::vector<std::string> names_of_all() {
+  std::vector<std::string> names;
+  for (const NamedMesher& mesher : meshers()) names.emplace_back(mesher.name);
+  for (const std::string& program : named_programs()) names.push_back("program " + program);
+  return names;
+}
+
+/// The mesher of a row, or nothing if it cannot be had. Libraries that are not thread-safe run in processes.
+std::unique_ptr<SubdomainMesher> make_mesher(const std::string& name, int threads) {
+  constexpr std::string_view program = "program ";
+  if (name.starts_with(program)) {
+    Result<std::unique_ptr<SubdomainMesher>> made = program_mesher(*named_program(name.substr(program.size())));
+    return made ? std::move(*made) : nullptr;
+  }
+  std::unique_ptr<SubdomainMesher> mesher = mesher_named(name);
+  if (mesher == nullptr || mesher->abilities().is_thread_safe || threads == 1) return mesher;
+  Result<std::unique_ptr<SubdomainMesher>> wrapped = in_processes(std::move(mesher), threads);
+  return wrapped ? std::move(*wrapped) : nullptr;
+}
+
+std::optional<Scheme> scheme_named(const std::string& text) {
+  for (const Scheme scheme : {Scheme::frozen, Scheme::cells, Scheme::decoupled})
+    if (text == name(scheme)) return scheme;
+  return {};
+}
+
+void run(Row& row, const ValidPslg& domain, const Settings& settings) {
+  const std::unique_ptr<SubdomainMesher> mesher = make_mesher(row.mesher, row.threads);
+  if (mesher == nullptr) {
+    row.verdict = "no such mesher here";
+    return;
+  }
+  const MesherOptions how{.scheme = row.scheme, .triangles_per_task = settings.triangles_per_task};
+  const Stopwatch watch;
+  Result<MeshedWithMesher> made = mesh_with_mesher(domain, settings.task.goal, *mesher, how, {.threads = row.threads});
+  const double seconds = watch.seconds();
+  if (!made) {
+    row.verdict = made.error().message;
+    return;
+  }
+  row.seconds.push_back(seconds);
+  row.digest = to_string(digest(made->mesh)).substr(0, 8);
+  if (row.seconds.size() == 1)
+    row.verdict = check(domain.pslg(), made->mesh, settings.task.goal).valid ? "valid" : "NOT VALID";
+  made->mesh = {};
+  row.made = std::move(*made);
+  row.made.report.tiling = {};
+}
+
+std::string text_of(const Row& row) {
+  if (row.seconds.empty()) return {};
+  const MesherReport& r = row.made.mesher;
+  return fmt::format(
+      "| {} | {} | {} | {} | {} | {:.1f} / {:.1f} / {:.1f} % | {} | {:.3f} | {:.3f} | {:.3f} | {} | {} |\n", row.mesher,
+      name(row.scheme), row.threads, r.tasks, r.sweeps,
+      100.0 * static_cast<double>(r.prepared) / static_cast<double>(row.made.report.inserted),
+      100.0 * static_cast<double>(r.inserted) / static_cast<double>(row.made.report.inserted),
+      100.0 * static_cast<double>(r.completed) / static_cast<double>(row.made.report.inserted), r.breaches.total(),
+      r.mesher_seconds, r.extraction_seconds + r.verification_seconds + r.gluing_seconds, median(row.seconds),
+      row.verdict, row.digest);
+}
+
+/// The tools alone on the whole domain, with their own timers.
+std::string alone(const Settings& settings) {
+  std::string text = "| alone | triangles | s |\n|---|---|---|\n";
+  WorkFolder scratch;
+  if (!scratch.make("pardel-bench")) return text;
+  for (const Tool& tool : {pardel_tool(), triangle_tool(), cgal_mesh_tool()}) {
+    if (!tool.applies(settings.task)) continue;
+    std::vector<double> seconds;
+    Run last;
+    for (int i = 0; i < settings.runs; ++i) {
+      last = tool.run(settings.task, scratch.path());
+      seconds.push_back(last.seconds);
+    }
+    if (last.triangles == 0) continue;  // it is not here
+    text += fmt::format("| {} | {} | {:.3f} |\n", tool.name, last.triangles, median(seconds));
+  }
+  return text;
+}
+
+int run_all(Settings& settings) {
+  set_size(settings.task);
+  const auto domain = validate(make_domain(settings.task));
+  if (!domain) return 1;
+  std::vector<Row> rows;
+  for (const std::string& mesher : settings.meshers.empty() ? names_of_all() : settings.meshers)
+    for (const std::string& scheme : settings.schemes)
+      if (const std::optional<Scheme> known = scheme_named(scheme))
+        for (const int threads : settings.threads) rows.push_back({mesher, *known, threads});
+  for (int i = 0; i < settings.runs; ++i)
+    for (Row& row : rows)
+      if (i == 0 || !row.seconds.empty()) run(row, *domain, settings);
+  fmt::print("{}, about {} triangles, {} degrees, area {:.3g}\n\n{}\n", settings.task.domain, settings.task.triangles,
+             settings.task.goal.min_angle_deg, settings.task.goal.max_area, alone(settings));
+  fmt::print(
+      "| mesher | scheme | threads | tasks | sweeps | vertices before / by mesher / after | breaches | mesher s | "
+      "around it s | total s | | digest |\n|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+  for (const Row& row : rows) fmt::print("{}", text_of(row));
+  return 0;
+}
+
+}  // namespace
+}  // namespace pardel::bench
+
+int main(int argc, char** argv) {
+  using namespace pardel::bench;
+  Settings settings;
+  settings.task.triangles = 100'000;
+  settings.task.domain = "pipe";
+  CLI::App app("Makes one mesh with sequential meshers through the schemes of off_the_shelf/");
+  app.add_option("--domain", settings.task.domain, "A named domain (default pipe)");
+  app.add_option("--triangles", settings.task.triangles, "About how many triangles (default 100000)");
+  app.add_option("--min-angle", settings.task.goal.min_angle_deg, "The least angle in degrees (default 20.7)");
+  app.add_option("--meshers", settings.meshers, "The meshers (default: all)")->delimiter(',');
+  app.add_option("--schemes", settings.schemes, "The schemes (default: all)")->delimiter(',');
+  app.add_option("--threads", settings.threads, "Numbers of threads (default 1,2)")->delimiter(',');
+  app.add_option("--triangles-per-task", settings.triangles_per_task, "As for pardel mesh --mesher");
+  app.add_option("--runs", settings.runs, "Runs of each row; medians are printed (default 3)");
+  CLI11_PARSE(app, argc, argv);
+  return run_all(settings);
+}
