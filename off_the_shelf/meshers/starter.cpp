@@ -1,5 +1,6 @@
 #include "starter.hpp"
 
+#include <malloc.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
@@ -124,6 +125,14 @@ void leave_caller(int descriptor) {
   pthread_sigmask(SIG_SETMASK, &none, nullptr);
 }
 
+/// Keeps free memory for the next task. A small process would otherwise return it to the system after each task and
+/// take it again: measured with Triangle, this doubles the time.
+void keep_memory() {
+  constexpr int most_kept = 1 << 30, largest_on_heap = 1 << 25;
+  mallopt(M_TRIM_THRESHOLD, most_kept);
+  mallopt(M_MMAP_THRESHOLD, largest_on_heap);
+}
+
 /// The main program of the starter.
 class StarterProcess {
  public:
@@ -166,6 +175,7 @@ class StarterProcess {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() == starter_) {
       control_ = {};
+      keep_memory();
       Channel channel(std::move(ends.second));
       serve(mesher_, channel);
     }
