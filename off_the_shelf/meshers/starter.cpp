@@ -18,6 +18,7 @@
 #include <system_error>
 #include <utility>
 
+#include "../../core/support/child_process.hpp"
 #include "worker.hpp"
 
 namespace pardel::engine {
@@ -89,8 +90,7 @@ int wait_for_end(pid_t process) {
 
 std::string how_it_ended(int status) {
   if (WIFEXITED(status)) return "exit code " + std::to_string(WEXITSTATUS(status));
-  const char* const abbreviation = sigabbrev_np(WTERMSIG(status));
-  return abbreviation != nullptr ? std::string("SIG") + abbreviation : "signal " + std::to_string(WTERMSIG(status));
+  return signal_name(WTERMSIG(status));
 }
 
 /// Blocks all signals of this thread while it lives.
