@@ -1,5 +1,6 @@
 #include "starter.hpp"
 
+#include <malloc.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
@@ -17,6 +18,7 @@
 #include <system_error>
 #include <utility>
 
+#include "../../core/support/child_process.hpp"
 #include "worker.hpp"
 
 namespace pardel::engine {
@@ -88,8 +90,7 @@ int wait_for_end(pid_t process) {
 
 std::string how_it_ended(int status) {
   if (WIFEXITED(status)) return "exit code " + std::to_string(WEXITSTATUS(status));
-  const char* const abbreviation = sigabbrev_np(WTERMSIG(status));
-  return abbreviation != nullptr ? std::string("SIG") + abbreviation : "signal " + std::to_string(WTERMSIG(status));
+  return signal_name(WTERMSIG(status));
 }
 
 /// Blocks all signals of this thread while it lives.
@@ -122,6 +123,14 @@ void leave_caller(int descriptor) {
   sigset_t none;
   sigemptyset(&none);
   pthread_sigmask(SIG_SETMASK, &none, nullptr);
+}
+
+/// Keeps free memory for the next task. A small process would otherwise return it to the system after each task and
+/// take it again: measured with Triangle, this doubles the time.
+void keep_memory() {
+  constexpr int most_kept = 1 << 30, largest_on_heap = 1 << 25;
+  mallopt(M_TRIM_THRESHOLD, most_kept);
+  mallopt(M_MMAP_THRESHOLD, largest_on_heap);
 }
 
 /// The main program of the starter.
@@ -166,6 +175,7 @@ class StarterProcess {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() == starter_) {
       control_ = {};
+      keep_memory();
       Channel channel(std::move(ends.second));
       serve(mesher_, channel);
     }
