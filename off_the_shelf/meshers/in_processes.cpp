@@ -10,6 +10,7 @@
 
 #include "../../core/support/shortest.hpp"
 #include "../../core/support/stop_signal.hpp"
+#include "../subdomains/without_triangles.hpp"
 #include "channel.hpp"
 #include "messages.hpp"
 #include "starter.hpp"
@@ -50,13 +51,6 @@ class FreeNumbers {
   std::condition_variable is_free_;
   std::vector<Index> free_;
 };
-
-RefinedSubdomain without_triangles(Ending ending, std::string why) {
-  RefinedSubdomain answer;
-  answer.ending = ending;
-  answer.why = std::move(why);
-  return answer;
-}
 
 class ProcessesMesher final : public SubdomainMesher {
  public:

@@ -14,6 +14,7 @@
 #include "../../core/support/shortest.hpp"
 #include "../../core/support/work_folder.hpp"
 #include "../../parallel/arithmetic/box.hpp"
+#include "../subdomains/without_triangles.hpp"
 #include "area_caps.hpp"
 #include "task_files.hpp"
 
@@ -56,13 +57,6 @@ Result<fs::path> find_mesher(const std::string& word) {
 bool uses(const std::vector<std::string>& words, std::string_view placeholder) {
   return std::any_of(words.begin() + 1, words.end(),
                      [&](const std::string& word) { return word.find(placeholder) != std::string::npos; });
-}
-
-RefinedSubdomain without_triangles(Answer ending, std::string why) {
-  RefinedSubdomain answer;
-  answer.ending = ending;
-  answer.why = std::move(why);
-  return answer;
 }
 
 /// The largest cap; for triangles without one, the area of the box around the subdomain.

@@ -11,6 +11,7 @@
 #include "../../parallel/triangulation/limits.hpp"
 #include "glue.hpp"
 #include "verify.hpp"
+#include "without_triangles.hpp"
 
 namespace pardel::engine {
 namespace {
@@ -31,18 +32,12 @@ bool same_answer(const RefinedSubdomain& a, const RefinedSubdomain& b) {
 RefinedSubdomain ask(MesherRun& run, const Subdomain& subdomain) {
   std::unique_lock<std::mutex> alone;
   if (!run.mesher.abilities().is_thread_safe) alone = std::unique_lock(run.one_at_a_time);
-  const auto failed = [](const char* why) {
-    RefinedSubdomain answer;
-    answer.ending = RefinedSubdomain::Ending::failed;
-    answer.why = why;
-    return answer;
-  };
   try {
     return run.mesher.refine(subdomain);
   } catch (const std::exception& e) {
-    return failed(e.what());
+    return without_triangles(RefinedSubdomain::Ending::failed, e.what());
   } catch (...) {
-    return failed("the mesher threw an exception");
+    return without_triangles(RefinedSubdomain::Ending::failed, "the mesher threw an exception");
   }
 }
 
