@@ -5,21 +5,24 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <optional>
 
 #include "../../core/support/doubled_area.hpp"
 #include "../../off_the_shelf/subdomain_mesher.hpp"
+#include "triangle_finder.hpp"
 
 namespace pardel::bench {
 
-/// Keeps a reference to the subdomain. For one thread.
+/// Keeps a reference to the subdomain.
 class Bounds {
  public:
   explicit Bounds(const Subdomain& subdomain) : subdomain_(subdomain) {
     const double sine = std::sin(subdomain.goal.min_angle_deg * (std::numbers::pi / 180));
     squared_sine_ = sine * sine;
     const auto& caps = subdomain.max_areas;
-    same_cap_everywhere_ = std::ranges::adjacent_find(caps, std::ranges::not_equal_to()) == caps.end();
+    if (std::ranges::adjacent_find(caps, std::ranges::not_equal_to()) != caps.end()) finder_.emplace(subdomain);
   }
 
   /// How good a triangle is.
@@ -50,15 +53,11 @@ class Bounds {
   [[nodiscard]] double max_area_at(Point p) const {
     const auto& caps = subdomain_.max_areas;
     if (caps.empty()) return subdomain_.goal.max_area;
-    if (!same_cap_everywhere_ && !contains(last_, p)) {
-      for (std::size_t t = 0; t < caps.size(); ++t)
-        if (contains(t, p)) {
-          last_ = t;
-          break;
-        }
-    }
-    return caps[last_];
+    if (!finder_) return caps.front();
+    const Index triangle = finder_->find(p);
+    return triangle == no_index ? subdomain_.goal.max_area : caps[triangle];
   }
+
   /// True if the circumcentre of a triangle with this corner may become a point: it lies in the cell, and the circle is
   /// large enough for a mesh in doubles.
   [[nodiscard]] bool may_insert(Point centre, Point corner) const {
@@ -70,17 +69,9 @@ class Bounds {
  private:
   static double squared(Point a, Point b) { return (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y); }
 
-  [[nodiscard]] bool contains(std::size_t triangle, Point p) const {
-    const auto& v = subdomain_.triangles[triangle];
-    const auto& points = subdomain_.points;
-    const auto is_left = [&](Index i, Index j) { return doubled_area(points[i], points[j], p) >= 0; };
-    return is_left(v[0], v[1]) && is_left(v[1], v[2]) && is_left(v[2], v[0]);
-  }
-
   const Subdomain& subdomain_;
   double squared_sine_;
-  bool same_cap_everywhere_;
-  mutable std::size_t last_ = 0;  ///< the triangle that contained the last place
+  std::optional<TriangleFinder> finder_;  ///< if not all caps are the same
 };
 
 }  // namespace pardel::bench

@@ -259,26 +259,28 @@ class Answer {
       const VertexHandle start = is_new(a) ? b : a;
       std::vector<Index> chain;
       VertexHandle before = start, here = is_new(a) ? a : b;
-      while (is_new(here)) {
+      while (here != VertexHandle() && is_new(here)) {
         chain.push_back(here->info().point);
         before = std::exchange(here, other_end(here, before));
       }
+      if (here == VertexHandle()) continue;
       const auto split = edge_between.find(ends_of(start->info().point, here->info().point));
       if (split == edge_between.end()) continue;
       for (const Index point : chain) answer_.edge_of_new_point[point - subdomain_.points.size()] = split->second;
     }
   }
 
-  /// The end of the constrained edge at `v` that does not lead to `before`. A new vertex on a constraint has two.
+  /// The end of the constrained edge at `v` that does not lead to `before`; none if there is no such edge.
   [[nodiscard]] VertexHandle other_end(VertexHandle v, VertexHandle before) const {
-    auto e = cdt_.incident_edges(v);
-    while (true) {
+    const auto first = cdt_.incident_edges(v);
+    auto e = first;
+    do {
       const VertexHandle end = e->first->vertex(Triangulation::ccw(e->second)) == v
                                    ? e->first->vertex(Triangulation::cw(e->second))
                                    : e->first->vertex(Triangulation::ccw(e->second));
       if (e->first->is_constrained(e->second) && end != before) return end;
-      ++e;
-    }
+    } while (++e != first);
+    return {};
   }
 
   const Subdomain& subdomain_;
