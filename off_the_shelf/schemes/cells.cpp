@@ -206,7 +206,7 @@ void sweep_over_cells(MesherRun& run) {
   double before = INFINITY;
   for (std::uint32_t sweep = 0; sweep < run.how.most_sweeps; ++sweep) {
     const std::vector<TriangleId> to_split = triangles_to_split(run);
-    const auto left = static_cast<double>(to_split.size());
+    const double left = work_on(run, to_split);
     if (to_split.empty() || left > good_progress * before) return;
     before = left;
     const double expected = expected_triangles(run.mesh.t, run.criteria, run.options.min_edge, run.threads);

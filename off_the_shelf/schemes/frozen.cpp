@@ -9,13 +9,13 @@ void sweep_with_frozen_borders(MesherRun& run) {
   // Along a frozen edge that is much longer than the triangles wanted, a mesher leaves what would encroach upon it. The
   // next sweep takes these triangles and some rings around them, so that its own borders are short.
   constexpr int rings = 5;
-  // A sweep that leaves more than this portion of the triangles to split achieves little.
+  // A sweep that leaves more than this share of the work achieves little.
   constexpr double good_progress = 0.7;
   double before = INFINITY;
   for (std::uint32_t sweep = 0; sweep < run.how.most_sweeps; ++sweep) {
     run.threads.ask();
     const std::vector<TriangleId> to_split = triangles_to_split(run);
-    const auto left = static_cast<double>(to_split.size());
+    const double left = work_on(run, to_split);
     if (to_split.empty() || left > good_progress * before) return;
     before = left;
     std::vector<TriangleId> taken;

@@ -76,6 +76,11 @@ std::vector<TriangleId> triangles_to_split(const MesherRun& run) {
   return triangles;
 }
 
+double work_on(const MesherRun& run, std::span<const TriangleId> to_split) {
+  const std::vector<double> work = work_of(run, to_split, to_split);
+  return std::accumulate(work.begin(), work.end(), 0.0);
+}
+
 std::vector<TriangleId> with_rings(const Triangulation& t, std::span<const TriangleId> triangles, int rings) {
   std::vector<char> is_in(t.slots.size(), 0);
   std::vector<TriangleId> found(triangles.begin(), triangles.end());

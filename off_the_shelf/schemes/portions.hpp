@@ -18,6 +18,9 @@ struct Portions {
 /// The triangles that break the goal and may be split, and those with an encroached side, ascending.
 [[nodiscard]] std::vector<TriangleId> triangles_to_split(const MesherRun& run);
 
+/// About how many triangles will replace these, which have to be split.
+[[nodiscard]] double work_on(const MesherRun& run, std::span<const TriangleId> to_split);
+
 /// These triangles, and those that are reached from them across at most `rings` edges, ascending.
 [[nodiscard]] std::vector<TriangleId> with_rings(const Triangulation& t, std::span<const TriangleId> triangles,
                                                  int rings);

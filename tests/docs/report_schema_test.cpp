@@ -80,7 +80,7 @@ TEST_F(ReportSchema, describes_what_a_sequential_mesher_has_done) {
 TEST_F(ReportSchema, lists_every_kind_of_breach) {
   Json kinds = Json::array();
   for (int i = 0; i < breach_kinds; ++i) kinds.push_back(name(static_cast<BreachKind>(i)));
-  const Json& mesher = schema().at("properties").at("mesher").at("properties");
+  const Json mesher = schema().at("properties").at("mesher").at("properties");
   EXPECT_EQ(mesher.at("breaches").at("items").at("properties").at("kind").at("enum"), kinds);
 }
 

@@ -5,7 +5,7 @@ set(include ${PREFIX}/include)
 
 # The public headers: those directly in these folders. parallel/pardel.hpp is installed as pardel/pardel.hpp.
 set(expected pardel/pardel.hpp)
-foreach(folder core parallel distributed properties/checker properties/domains properties/domains/generators)
+foreach(folder core parallel off_the_shelf distributed properties/checker properties/domains properties/domains/generators)
   file(GLOB headers RELATIVE ${ROOT} ${ROOT}/${folder}/*.hpp)
   list(TRANSFORM headers PREPEND pardel/)
   list(APPEND expected ${headers})
