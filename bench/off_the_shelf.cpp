@@ -126,6 +126,8 @@ std::string alone(const Settings& settings) {
 
 int run_all(Settings& settings) {
   set_size(settings.task);
+  // They run in copies of this process, which must not have used threads yet.
+  const std::string tools = alone(settings);
   const auto domain = validate(make_domain(settings.task));
   if (!domain) return 1;
   std::vector<Row> rows;
@@ -137,7 +139,7 @@ int run_all(Settings& settings) {
     for (Row& row : rows)
       if (i == 0 || !row.seconds.empty()) run(row, *domain, settings);
   fmt::print("{}, about {} triangles, {} degrees, area {:.3g}\n\n{}\n", settings.task.domain, settings.task.triangles,
-             settings.task.goal.min_angle_deg, settings.task.goal.max_area, alone(settings));
+             settings.task.goal.min_angle_deg, settings.task.goal.max_area, tools);
   fmt::print(
       "| mesher | scheme | threads | tasks | sweeps | vertices before / by mesher / after | breaches | mesher s | "
       "around it s | total s | | digest |\n|---|---|---|---|---|---|---|---|---|---|---|---|\n");

@@ -89,18 +89,24 @@ class CellSweep {
     }
   }
 
-  /// The cell of a colour, with work, whose task needs the triangle; no_index if there is none. There is at most one:
-  /// the boxes of a colour are disjoint.
-  [[nodiscard]] Index cell_for(TriangleId id, unsigned colour) const {
+  /// For each cell, the cells of a colour with work among it and those that touch it.
+  [[nodiscard]] std::vector<std::vector<Index>> due_around(unsigned colour) const {
+    std::vector<std::vector<Index>> due(tiles_.cells());
+    for (Index cell = 0; cell < tiles_.cells(); ++cell) {
+      if (is_due(cell, colour)) due[cell].push_back(cell);
+      for (const Index other : tiles_.touching(cell))
+        if (is_due(other, colour)) due[cell].push_back(other);
+    }
+    return due;
+  }
+
+  /// The cell, of those that are due around each cell, whose task needs the triangle; no_index if there is none. There
+  /// is at most one: the boxes of a colour are disjoint.
+  [[nodiscard]] Index cell_for(TriangleId id, const std::vector<std::vector<Index>>& due) const {
     const Slot& slot = t_.slots[id];
     const Shape shape(t_, slot);
-    const Index home = tiles_.cell_of(centroid_of(shape.p[0], shape.p[1], shape.p[2]));
-    const auto needs = [&](Index cell) {
-      return is_due(cell, colour) && fits_box(cell, shape) && is_needed(cell, slot, shape);
-    };
-    if (needs(home)) return home;
-    for (const Index cell : tiles_.touching(home))
-      if (needs(cell)) return cell;
+    for (const Index cell : due[tiles_.cell_of(centroid_of(shape.p[0], shape.p[1], shape.p[2]))])
+      if (fits_box(cell, shape) && is_needed(cell, slot, shape)) return cell;
     return no_index;
   }
   [[nodiscard]] bool is_due(Index cell, unsigned colour) const {
@@ -136,9 +142,10 @@ class CellSweep {
   [[nodiscard]] Portions portions_of(unsigned colour) const {
     Portions portions;
     portions.portion_of.assign(t_.slots.size(), no_index);
+    const std::vector<std::vector<Index>> due = due_around(colour);
     parallel_blocks(run_.threads, t_.slots.size(), [&](std::size_t first, std::size_t last, std::size_t) {
       for (std::size_t id = first; id < last; ++id)
-        portions.portion_of[id] = cell_for(static_cast<TriangleId>(id), colour);
+        portions.portion_of[id] = cell_for(static_cast<TriangleId>(id), due);
     });
     const std::vector<char> without_room = cells_without_room(colour);
     std::vector<Index> portion_of_cell(tiles_.cells(), no_index);
