@@ -5,6 +5,7 @@
 #include "../off_the_shelf/own_mesher.hpp"
 #include "../off_the_shelf/program_mesher.hpp"
 #include "choice.hpp"
+#include "goal_options.hpp"
 #include "names.hpp"
 
 namespace pardel::cli {

@@ -265,7 +265,7 @@ PARDEL_PROPERTY(Part, with_a_triangle_twice_is_refused,
                  .families = families}) {
   Answered answered = some_answer(exhibit);
   auto triangle = answered.answer.triangles[some_index(answered.answer.triangles)];
-  std::ranges::rotate(triangle, triangle.begin() + *rc::gen::inRange(0, 3));
+  std::rotate(triangle.begin(), triangle.begin() + *rc::gen::inRange(0, 3), triangle.end());
   answered.answer.triangles.push_back(triangle);
   require_breach(verified(answered.part, std::move(answered.answer)), BreachKind::overlap);
 }
