@@ -4,7 +4,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "names.hpp"
 #include "plural.hpp"
 
 namespace pardel::cli {
@@ -28,7 +27,7 @@ nlohmann::ordered_json mesher_json(const MesherOfRun& mesher) {
                         {"first", {{"at", {first.where.x, first.where.y}}, {"what", first.what}}}});
   });
   return {{"name", mesher.name},
-          {"scheme", scheme_names[mesher.scheme]},
+          {"scheme", pardel::name(mesher.scheme)},
           {"tasks", r.tasks},
           {"sweeps", r.sweeps},
           {"phases", r.phases},
@@ -46,7 +45,7 @@ nlohmann::ordered_json mesher_json(const MesherOfRun& mesher) {
 std::string mesher_text(const MesherOfRun& mesher) {
   const MesherReport& r = mesher.report;
   std::string text = fmt::format("mesher  {}, {}: {} in {} made {}; pardel made {} before and {} after\n", mesher.name,
-                                 scheme_names[mesher.scheme], plural(r.tasks, "task"), plural(r.sweeps, "sweep"),
+                                 pardel::name(mesher.scheme), plural(r.tasks, "task"), plural(r.sweeps, "sweep"),
                                  plural(r.inserted, "vertex", "vertices"), r.prepared, r.completed);
   for_each_kind(r.breaches, [&](std::uint64_t count, const Breach& first) {
     text += fmt::format("breach  {} in {}, the first at ({:.6g}, {:.6g}): {}\n", pardel::name(first.kind),

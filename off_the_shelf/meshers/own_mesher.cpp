@@ -5,6 +5,7 @@
 
 #include "../../core/support/stopwatch.hpp"
 #include "../../parallel/refinement/task.hpp"
+#include "../subdomains/box_of.hpp"
 #include "../subdomains/half_edges.hpp"
 
 namespace pardel {
@@ -63,16 +64,10 @@ Imported import_subdomain(const Subdomain& subdomain) {
   return result;
 }
 
-Box box_around(const Subdomain& subdomain) {
-  Box box = empty_box;
-  for (const Point p : subdomain.points) box.cover(Box::around(p));
-  return box;
-}
-
 /// One cell, or the cell of the subdomain in the middle of nine. The cell is a little smaller than that of the
 /// subdomain, so that rounding moves no point out of it.
 Tiles tiles_for(const Subdomain& subdomain) {
-  Box box = box_around(subdomain);
+  Box box = box_of(subdomain);
   if (!subdomain.cell) return Tiles(Lattice(box, 1, 1));
   const double margin = 1e-9 * box.extent();
   box = {std::max(subdomain.cell->low.x, box.min_x - box.extent()) + margin,

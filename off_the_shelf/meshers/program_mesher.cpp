@@ -13,7 +13,7 @@
 #include "../../core/support/shell_words.hpp"
 #include "../../core/support/shortest.hpp"
 #include "../../core/support/work_folder.hpp"
-#include "../../parallel/arithmetic/box.hpp"
+#include "../subdomains/box_of.hpp"
 #include "../subdomains/without_triangles.hpp"
 #include "area_caps.hpp"
 #include "task_files.hpp"
@@ -63,8 +63,7 @@ bool uses(const std::vector<std::string>& words, std::string_view placeholder) {
 double largest_cap(const Subdomain& subdomain, const std::vector<double>& caps) {
   const double largest = caps.empty() ? INFINITY : *std::ranges::max_element(caps);
   if (largest < INFINITY) return largest;
-  Box box = empty_box;
-  for (const Point p : subdomain.points) box.cover(Box::around(p));
+  const Box box = box_of(subdomain);
   return (box.max_x - box.min_x) * (box.max_y - box.min_y);
 }
 

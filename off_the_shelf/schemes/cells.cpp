@@ -1,13 +1,14 @@
 // The paper's scheme: cells of several colours, and a phase for each colour. A task gets the triangles whose
 // circumdisk, or the diametral disk of one of their constrained sides, meets its cell: those that an insertion in the
 // cell can change or be blocked by. All of them lie in the box of the cell if circumradii are small enough (T1), and
-// the boxes of one colour are disjoint (THEORY.md, Lattice and Quadtree). What lies in no box is not given to any task,
-// so the tasks of a phase never portion a triangle.
+// the boxes of one colour are disjoint (THEORY.md, Lattice and Quadtree), so the tasks of a phase never share a
+// triangle. A cell whose task would need a triangle beyond its box waits for the next sweep, which measures circumradii
+// again.
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
+#include "../../parallel/arithmetic/between_ends.hpp"
 #include "../../parallel/decomposition/lattice_levels.hpp"
 #include "../../parallel/decomposition/tiles.hpp"
 #include "../../parallel/planning/expected_size.hpp"
@@ -34,7 +35,7 @@ Disk circumdisk(const Shape& shape) {
 
 Disk diametral_disk(Point a, Point b) {
   const double dx = b.x - a.x, dy = b.y - a.y;
-  return {{0.5 * (a.x + b.x), 0.5 * (a.y + b.y)}, 0.25 * (dx * dx + dy * dy)};
+  return {middle_of(a, b), 0.25 * (dx * dx + dy * dy)};
 }
 
 /// The rectangle of a cell. At the border of the tiles it extends to infinity, as the box of the cell does.
@@ -85,7 +86,7 @@ class CellSweep {
     for (const TriangleId id : to_split) {
       const Shape shape(t_, t_.slots[id]);
       has_work_[tiles_.cell_of(circumdisk(shape).centre)] = 1;
-      has_work_[tiles_.cell_of(centroid_of(shape.p[0], shape.p[1], shape.p[2]))] = 1;
+      has_work_[tiles_.cell_of(shape.centroid())] = 1;
     }
   }
 
@@ -102,11 +103,10 @@ class CellSweep {
 
   /// The cell, of those that are due around each cell, whose task needs the triangle; no_index if there is none. There
   /// is at most one: the boxes of a colour are disjoint.
-  [[nodiscard]] Index cell_for(TriangleId id, const std::vector<std::vector<Index>>& due) const {
-    const Slot& slot = t_.slots[id];
-    const Shape shape(t_, slot);
-    for (const Index cell : due[tiles_.cell_of(centroid_of(shape.p[0], shape.p[1], shape.p[2]))])
-      if (fits_box(cell, shape) && is_needed(cell, slot, shape)) return cell;
+  [[nodiscard]] Index cell_for(const Slot& slot, const Shape& shape, const Disk& disk,
+                               const std::vector<std::vector<Index>>& due) const {
+    for (const Index cell : due[tiles_.cell_of(shape.centroid())])
+      if (fits_box(cell, shape) && is_needed(cell, slot, shape, disk)) return cell;
     return no_index;
   }
   [[nodiscard]] bool is_due(Index cell, unsigned colour) const {
@@ -116,9 +116,10 @@ class CellSweep {
     const Box box = tiles_.box_of(cell);
     return std::ranges::all_of(shape.p, [&](Point p) { return box.contains_half_open(p); });
   }
-  /// True if an insertion in the cell can change the triangle, or be blocked by one of its sides.
-  [[nodiscard]] bool is_needed(Index cell, const Slot& slot, const Shape& shape) const {
-    if (meets(circumdisk(shape), rectangles_[cell])) return true;
+  /// True if an insertion in the cell can change the triangle, or be blocked by one of its sides. `disk`: the
+  /// circumdisk.
+  [[nodiscard]] bool is_needed(Index cell, const Slot& slot, const Shape& shape, const Disk& disk) const {
+    if (meets(disk, rectangles_[cell])) return true;
     for (unsigned side = 0; side < 3; ++side)
       if (slot.n[side].constrained() &&
           meets(diametral_disk(shape.p[next_corner[side]], shape.p[previous_corner[side]]), rectangles_[cell]))
@@ -126,16 +127,18 @@ class CellSweep {
     return false;
   }
 
-  /// The cells of a colour whose tasks would need a triangle beyond their boxes. Only triangles with large circumradii
-  /// can be the reason.
-  [[nodiscard]] std::vector<char> cells_without_room(unsigned colour) const {
+  /// The cells of a colour whose tasks would need one of these triangles beyond their boxes.
+  [[nodiscard]] std::vector<char> cells_without_room(const std::vector<std::vector<TriangleId>>& large,
+                                                     unsigned colour) const {
     std::vector<char> found(tiles_.cells(), 0);
-    for (const Slot& slot : t_.slots) {
-      const Shape shape(t_, slot);
-      if (circumdisk(shape).squared_radius <= least_radius_that_fits_ * least_radius_that_fits_) continue;
-      for (Index cell = 0; cell < tiles_.cells(); ++cell)
-        if (is_due(cell, colour) && !fits_box(cell, shape) && is_needed(cell, slot, shape)) found[cell] = 1;
-    }
+    for (const std::vector<TriangleId>& of_block : large)
+      for (const TriangleId id : of_block) {
+        const Shape shape(t_, t_.slots[id]);
+        const Disk disk = circumdisk(shape);
+        for (Index cell = 0; cell < tiles_.cells(); ++cell)
+          if (is_due(cell, colour) && !fits_box(cell, shape) && is_needed(cell, t_.slots[id], shape, disk))
+            found[cell] = 1;
+      }
     return found;
   }
 
@@ -143,11 +146,18 @@ class CellSweep {
     Portions portions;
     portions.portion_of.assign(t_.slots.size(), no_index);
     const std::vector<std::vector<Index>> due = due_around(colour);
-    parallel_blocks(run_.threads, t_.slots.size(), [&](std::size_t first, std::size_t last, std::size_t) {
-      for (std::size_t id = first; id < last; ++id)
-        portions.portion_of[id] = cell_for(static_cast<TriangleId>(id), due);
+    // Only triangles with large circumradii can be needed beyond a box.
+    std::vector<std::vector<TriangleId>> large(block_count(t_.slots.size()));
+    parallel_blocks(run_.threads, t_.slots.size(), [&](std::size_t first, std::size_t last, std::size_t block) {
+      for (std::size_t id = first; id < last; ++id) {
+        const Shape shape(t_, t_.slots[id]);
+        const Disk disk = circumdisk(shape);
+        portions.portion_of[id] = cell_for(t_.slots[id], shape, disk, due);
+        if (!(disk.squared_radius <= least_radius_that_fits_ * least_radius_that_fits_))
+          large[block].push_back(static_cast<TriangleId>(id));
+      }
     });
-    const std::vector<char> without_room = cells_without_room(colour);
+    const std::vector<char> without_room = cells_without_room(large, colour);
     std::vector<Index> portion_of_cell(tiles_.cells(), no_index);
     for (TriangleId id = 0; id < portions.portion_of.size(); ++id) {
       const Index cell = std::exchange(portions.portion_of[id], no_index);
@@ -173,7 +183,7 @@ class CellSweep {
 /// The lattice with cells of about the wanted work that are at least four circumradii wide.
 Tiles lattice_for(const MesherRun& run, double tasks) {
   const Triangulation& t = run.mesh.t;
-  const Box bounds = bounds_of(t);
+  const Box bounds = bounds_of(t, run.threads);
   const auto along = static_cast<Index>(std::clamp(std::ceil(std::sqrt(tasks)), 1.0, 4096.0));
   const IndexAllocator triangles(static_cast<Index>(t.slots.size()), max_engine_triangles);
   const double side = Lattice::radii_per_side * 1.02 * largest_radii(t, triangles, run.threads).radius;
@@ -184,13 +194,13 @@ Tiles lattice_for(const MesherRun& run, double tasks) {
 /// leaves around it fit its children.
 Tiles quadtree_for(const MesherRun& run, double work_per_leaf) {
   const Triangulation& t = run.mesh.t;
-  Quadtree tree(bounds_of(t));
+  Quadtree tree(bounds_of(t, run.threads));
   for (unsigned depth = 0; depth < Square::deepest; ++depth) {
     std::vector<double> work(tree.cells(), 0), radius(tree.cells(), 0);
     LocalHints hints;
     for (TriangleId id = 0; id < t.slots.size(); ++id) {
       const Shape shape(t, t.slots[id]);
-      const Index leaf = tree.cell_of(centroid_of(shape.p[0], shape.p[1], shape.p[2]));
+      const Index leaf = tree.cell_of(shape.centroid());
       work[leaf] += std::max(1.0, run.criteria.triangles_wanted(shape, run.mesh.assessor.region_of(id), hints));
       radius[leaf] = std::max(radius[leaf], std::sqrt(circumdisk(shape).squared_radius));
     }
@@ -209,20 +219,16 @@ Tiles quadtree_for(const MesherRun& run, double work_per_leaf) {
 }  // namespace
 
 void sweep_over_cells(MesherRun& run) {
-  constexpr double good_progress = 0.9;
-  double before = INFINITY;
-  for (std::uint32_t sweep = 0; sweep < run.how.most_sweeps; ++sweep) {
-    const std::vector<TriangleId> to_split = triangles_to_split(run);
-    const double left = work_on(run, to_split);
-    if (to_split.empty() || left > good_progress * before) return;
-    before = left;
-    const double expected = expected_triangles(run.mesh.t, run.criteria, run.options.min_edge, run.threads);
+  constexpr double largest_share_left = 0.9;
+  repeat_sweeps(run, largest_share_left, [&](const ToSplit& to_split, unsigned) {
     const double per_task = run.how.triangles_per_task;
     const Tiles tiles =
-        run.criteria.depends_on_place() ? quadtree_for(run, per_task) : lattice_for(run, expected / per_task);
-    ++run.report.sweeps;
-    if (CellSweep(run, tiles).run(to_split) == 0) return;
-  }
+        run.criteria.depends_on_place()
+            ? quadtree_for(run, per_task)
+            : lattice_for(run,
+                          expected_triangles(run.mesh.t, run.criteria, run.options.min_edge, run.threads) / per_task);
+    return CellSweep(run, tiles).run(to_split.triangles);
+  });
 }
 
 }  // namespace pardel::engine

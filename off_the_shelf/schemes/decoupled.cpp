@@ -4,9 +4,9 @@
 // are refined, so that no part needs another split of its border.
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
+#include "../../parallel/arithmetic/between_ends.hpp"
 #include "../../parallel/arithmetic/distance.hpp"
 #include "../../parallel/arithmetic/predicates.hpp"
 #include "../../parallel/triangulation/flips.hpp"
@@ -20,16 +20,6 @@ namespace {
 /// The pieces of a border in roots of the area wanted there. About the edges of the triangles beside it: longer pieces
 /// would not be Delaunay edges.
 constexpr double piece_of_unit_area = 1.3;
-
-/// Flips edges until the mesh is constrained Delaunay.
-void flip_to_delaunay(Triangulation& t, const Threads& threads) {
-  std::vector<EdgeRef> suspects;
-  for (TriangleId id = 0; id < t.slots.size(); ++id)
-    for (unsigned side = 0; side < 3; ++side)
-      if (!locally_delaunay(t, EdgeRef(id, side))) suspects.push_back(EdgeRef(id, side));
-  std::vector<TriangleId> changed;
-  restore_delaunay(t, std::move(suspects), changed, threads);
-}
 
 /// Splits the edges between the portions of a phase.
 class BorderSplitter {
@@ -54,9 +44,8 @@ class BorderSplitter {
     if (is_thin(e.triangle()) || is_thin(outer.triangle())) return;
     const Point a = t_.points[t_.slot(e).from(e.side())], b = t_.points[t_.slot(e).to(e.side())];
     LocalHints hints;
-    const Point middle{0.5 * (a.x + b.x), 0.5 * (a.y + b.y)};
     const double twice_area =
-        run_.criteria.twice_area_wanted(middle, run_.mesh.assessor.region_of(e.triangle()), hints);
+        run_.criteria.twice_area_wanted(middle_of(a, b), run_.mesh.assessor.region_of(e.triangle()), hints);
     const double pieces = std::ceil(distance(a, b) / (piece_of_unit_area * std::sqrt(twice_area / 2)));
     if (!(pieces < 1e6)) return;
     const std::uint64_t most = run_.options.max_vertices;
@@ -123,7 +112,7 @@ class BorderSplitter {
         t_.constrain(inner);
     });
     std::ranges::sort(segments);
-    flip_to_delaunay(t_, run_.threads);
+    make_delaunay(t_, run_.threads);
     for_each_border([&](EdgeRef inner, EdgeRef outer) {
       if (!std::ranges::binary_search(segments, ends(inner))) t_.link(inner, outer.with_constraint(false));
     });
@@ -137,11 +126,9 @@ class BorderSplitter {
 }  // namespace
 
 void refine_decoupled(MesherRun& run) {
-  const std::vector<TriangleId> to_split = triangles_to_split(run);
-  if (to_split.empty()) return;
-  std::vector<TriangleId> all(run.mesh.t.slots.size());
-  std::iota(all.begin(), all.end(), TriangleId{0});
-  Portions portions = divide_among_leaves(run, all, to_split, 0);
+  const ToSplit to_split = triangles_to_split(run);
+  if (to_split.triangles.empty()) return;
+  Portions portions = divide_among_leaves(run, all_triangles(run.mesh.t), to_split, 0);
   const std::size_t vertices = run.mesh.t.points.size();
   if (run.criteria.has_size()) BorderSplitter(run, portions.portion_of).run();
   run.report.prepared += run.mesh.t.points.size() - vertices;
@@ -151,7 +138,7 @@ void refine_decoupled(MesherRun& run) {
   ++run.report.sweeps;
   const std::uint64_t made = run_tasks(run, portions.all, portions.portion_of);
   // Where an answer was not used, borders are not Delaunay yet.
-  flip_to_delaunay(run.mesh.t, run.threads);
+  make_delaunay(run.mesh.t, run.threads);
   show(run, made);
 }
 

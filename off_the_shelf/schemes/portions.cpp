@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "../../parallel/decomposition/bounding_box.hpp"
 #include "../../parallel/decomposition/quadtree.hpp"
 #include "../../parallel/scheduling/initial_assessment.hpp"
 #include "../../parallel/threads/parallel_for.hpp"
@@ -14,24 +15,6 @@ namespace {
 Point centroid(const Triangulation& t, TriangleId id) {
   const auto& v = t.slots[id].v;
   return centroid_of(t.points[v[0]], t.points[v[1]], t.points[v[2]]);
-}
-
-/// About how many triangles will replace each of the triangles.
-std::vector<double> work_of(const MesherRun& run, std::span<const TriangleId> triangles,
-                            std::span<const TriangleId> to_split) {
-  const Triangulation& t = run.mesh.t;
-  std::vector<double> work(triangles.size(), 1);
-  parallel_blocks(run.threads, triangles.size(), [&](std::size_t first, std::size_t last, std::size_t) {
-    LocalHints hints;
-    for (std::size_t i = first; i < last; ++i) {
-      const TriangleId id = triangles[i];
-      if (!std::ranges::binary_search(to_split, id)) continue;
-      work[i] = run.criteria.triangles_by_shape();
-      if (run.criteria.has_size())
-        work[i] += run.criteria.triangles_wanted(Shape(t, t.slots[id]), run.mesh.assessor.region_of(id), hints);
-    }
-  });
-  return work;
 }
 
 /// A quadtree whose leaves have at most `most` of the work, and the leaf of each place.
@@ -61,24 +44,46 @@ Leaves leaves_for(const Box& square, std::span<const Point> places, std::span<co
 
 }  // namespace
 
-Box bounds_of(const Triangulation& t) {
-  Box bounds = empty_box;
-  for (const Slot& slot : t.slots)
-    for (const VertexId v : slot.v) bounds.cover(Box::around(t.points[v]));
-  return bounds;
+Box bounds_of(const Triangulation& t, const Threads& threads) {
+  return bounding_box(threads, 3 * t.slots.size(), [&](std::size_t i) { return t.points[t.slots[i / 3].v[i % 3]]; });
 }
 
-std::vector<TriangleId> triangles_to_split(const MesherRun& run) {
-  const InitialAssessment found = assess_all(run.mesh.t, run.criteria, run.mesh.assessor, run.threads);
-  std::vector<TriangleId> triangles;
-  triangles.reserve(found.bad.size());
-  for (const Deferred& bad : found.bad) triangles.push_back(bad.triangle.id());
-  return triangles;
+ToSplit triangles_to_split(const MesherRun& run) {
+  const Triangulation& t = run.mesh.t;
+  const InitialAssessment found = assess_all(t, run.criteria, run.mesh.assessor, run.threads);
+  ToSplit result;
+  result.triangles.reserve(found.bad.size());
+  for (const Deferred& bad : found.bad) result.triangles.push_back(bad.triangle.id());
+  result.work.assign(found.bad.size(), run.criteria.triangles_by_shape());
+  if (!run.criteria.has_size()) return result;
+  parallel_blocks(run.threads, result.triangles.size(), [&](std::size_t first, std::size_t last, std::size_t) {
+    LocalHints hints;
+    for (std::size_t i = first; i < last; ++i) {
+      const TriangleId id = result.triangles[i];
+      result.work[i] += run.criteria.triangles_wanted(Shape(t, t.slots[id]), run.mesh.assessor.region_of(id), hints);
+    }
+  });
+  return result;
 }
 
-double work_on(const MesherRun& run, std::span<const TriangleId> to_split) {
-  const std::vector<double> work = work_of(run, to_split, to_split);
-  return std::accumulate(work.begin(), work.end(), 0.0);
+void repeat_sweeps(MesherRun& run, double largest_share_left,
+                   const std::function<std::uint64_t(const ToSplit&, unsigned)>& sweep) {
+  double before = INFINITY;
+  for (unsigned number = 0; number < run.how.most_sweeps; ++number) {
+    run.threads.ask();
+    const ToSplit to_split = triangles_to_split(run);
+    const double left = std::accumulate(to_split.work.begin(), to_split.work.end(), 0.0);
+    if (to_split.triangles.empty() || left > largest_share_left * before) return;
+    before = left;
+    ++run.report.sweeps;
+    if (sweep(to_split, number) == 0) return;
+  }
+}
+
+std::vector<TriangleId> all_triangles(const Triangulation& t) {
+  std::vector<TriangleId> all(t.slots.size());
+  std::iota(all.begin(), all.end(), TriangleId{0});
+  return all;
 }
 
 std::vector<TriangleId> with_rings(const Triangulation& t, std::span<const TriangleId> triangles, int rings) {
@@ -99,23 +104,28 @@ std::vector<TriangleId> with_rings(const Triangulation& t, std::span<const Trian
   return found;
 }
 
-Portions divide_among_leaves(const MesherRun& run, std::span<const TriangleId> triangles,
-                             std::span<const TriangleId> to_split, unsigned shift) {
+Portions divide_among_leaves(const MesherRun& run, std::span<const TriangleId> triangles, const ToSplit& to_split,
+                             unsigned shift) {
   const Triangulation& t = run.mesh.t;
-  const Box bounds = bounds_of(t);
+  const Box bounds = bounds_of(t, run.threads);
   const double extent = bounds.extent(), moved = shift * extent;
   const Box square{bounds.min_x - moved, bounds.min_y - moved, bounds.min_x - moved + 3 * extent,
                    bounds.min_y - moved + 3 * extent};
   std::vector<Point> places(triangles.size());
-  for (std::size_t i = 0; i < triangles.size(); ++i) places[i] = centroid(t, triangles[i]);
-  const Leaves leaves =
-      leaves_for(square, places, work_of(run, triangles, to_split), run.how.triangles_per_task, run.threads);
+  std::vector<double> work(triangles.size(), 1);  // a triangle that stays has to be copied
+  std::vector<std::size_t> place_of(to_split.triangles.size());
+  for (std::size_t i = 0, next = 0; i < triangles.size(); ++i) {
+    places[i] = centroid(t, triangles[i]);
+    if (next == place_of.size() || to_split.triangles[next] != triangles[i]) continue;
+    work[i] = to_split.work[next];
+    place_of[next++] = i;
+  }
+  const Leaves leaves = leaves_for(square, places, work, run.how.triangles_per_task, run.threads);
 
   Portions portions;
   portions.portion_of.assign(t.slots.size(), no_index);
   std::vector<Index> portion_of_leaf(leaves.tree.cells(), no_index);
-  for (std::size_t i = 0; i < triangles.size(); ++i)
-    if (std::ranges::binary_search(to_split, triangles[i])) portion_of_leaf[leaves.leaf_of[i]] = 0;
+  for (const std::size_t i : place_of) portion_of_leaf[leaves.leaf_of[i]] = 0;
   Index count = 0;
   for (Index& portion : portion_of_leaf)
     if (portion != no_index) portion = count++;

@@ -1,6 +1,8 @@
 // Divides triangles among the tasks of a phase.
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -15,11 +17,21 @@ struct Portions {
   std::vector<Index> portion_of;  ///< for each triangle of the mesh, its portion; no_index: it belongs to none
 };
 
-/// The triangles that break the goal and may be split, and those with an encroached side, ascending.
-[[nodiscard]] std::vector<TriangleId> triangles_to_split(const MesherRun& run);
+/// The triangles that break the goal and may be split, and those with an encroached side.
+struct ToSplit {
+  std::vector<TriangleId> triangles;  ///< ascending
+  std::vector<double> work;           ///< for each of them, about how many triangles will replace it
+};
+[[nodiscard]] ToSplit triangles_to_split(const MesherRun& run);
 
-/// About how many triangles will replace these, which have to be split.
-[[nodiscard]] double work_on(const MesherRun& run, std::span<const TriangleId> to_split);
+/// Repeats sweep(to_split, number), number = 0, 1, ..., as often as the options of the run allow. Ends when nothing has
+/// to be split, when a sweep makes no vertex, or when one leaves more than this share of the work: then it achieves
+/// little. sweep() returns the number of new vertices.
+void repeat_sweeps(MesherRun& run, double largest_share_left,
+                   const std::function<std::uint64_t(const ToSplit&, unsigned)>& sweep);
+
+/// All triangles of the mesh, ascending.
+[[nodiscard]] std::vector<TriangleId> all_triangles(const Triangulation& t);
 
 /// These triangles, and those that are reached from them across at most `rings` edges, ascending.
 [[nodiscard]] std::vector<TriangleId> with_rings(const Triangulation& t, std::span<const TriangleId> triangles,
@@ -30,9 +42,9 @@ struct Portions {
 /// 2, is moved by a third of its side: a place on the border of a leaf is at least a third of a leaf away from all
 /// borders of the next tree. `triangles`, `to_split`: ascending; to_split is a part of triangles.
 [[nodiscard]] Portions divide_among_leaves(const MesherRun& run, std::span<const TriangleId> triangles,
-                                           std::span<const TriangleId> to_split, unsigned shift);
+                                           const ToSplit& to_split, unsigned shift);
 
-/// The least box around all vertices.
-[[nodiscard]] Box bounds_of(const Triangulation& t);
+/// The least box around all triangles.
+[[nodiscard]] Box bounds_of(const Triangulation& t, const Threads& threads);
 
 }  // namespace pardel::engine

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../../parallel/arithmetic/between_ends.hpp"
 #include "../../parallel/planning/expected_size.hpp"
 #include "../../parallel/scheduling/refine_by_sweeps.hpp"
 #include "../../parallel/sizing/graded_size.hpp"

@@ -160,14 +160,7 @@ Result<DomainTriangulation> import_mesh(const Mesh& mesh, const Threads& threads
   domain.input_of_vertex.resize(t.points.size());
   for (Index v = 0; v < t.points.size(); ++v) domain.input_of_vertex[v] = v;
 
-  std::vector<EdgeRef> suspects;
-  for (TriangleId id = 0; id < t.slots.size(); ++id) {
-    ask();
-    for (unsigned side = 0; side < 3; ++side)
-      if (!locally_delaunay(t, EdgeRef(id, side))) suspects.push_back(EdgeRef(id, side));
-  }
-  std::vector<TriangleId> changed;
-  restore_delaunay(t, std::move(suspects), changed, threads);
+  make_delaunay(t, threads);
   return domain;
 }
 

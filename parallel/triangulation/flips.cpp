@@ -50,4 +50,16 @@ void restore_delaunay(Triangulation& t, std::vector<EdgeRef> suspects, std::vect
   }
 }
 
+void make_delaunay(Triangulation& t, const Threads& threads) {
+  SparseAsk ask(threads.stop);
+  std::vector<EdgeRef> suspects;
+  for (TriangleId id = 0; id < t.slots.size(); ++id) {
+    ask();
+    for (unsigned side = 0; side < 3; ++side)
+      if (!locally_delaunay(t, EdgeRef(id, side))) suspects.push_back(EdgeRef(id, side));
+  }
+  std::vector<TriangleId> changed;
+  restore_delaunay(t, std::move(suspects), changed, threads);
+}
+
 }  // namespace pardel::engine

@@ -27,4 +27,7 @@ void flip(Triangulation& t, EdgeRef e);
 void restore_delaunay(Triangulation& t, std::vector<EdgeRef> suspects, std::vector<TriangleId>& changed,
                       const Threads& threads = {});
 
+/// Flips edges until the whole triangulation is constrained Delaunay. O(n) for n triangles, and the flips.
+void make_delaunay(Triangulation& t, const Threads& threads = {});
+
 }  // namespace pardel::engine
