@@ -199,18 +199,6 @@ Status set_cells(const std::vector<Index>& cells, Options& options) {
   return Done{};
 }
 
-/// Refuses options that --mesher has no use for.
-Status check_mesher(const MeshArguments& arguments) {
-  if (arguments.mesher.name.empty()) return Done{};
-  const Options& options = arguments.options;
-  for (const auto& [name, given] :
-       {std::pair{"--refine", arguments.refine}, std::pair{"--interior fill", options.interior == Interior::fill},
-        std::pair{"--decomposition", options.decomposition != Decomposition::automatic},
-        std::pair{"--cells", !arguments.cells.empty()}})
-    if (given) return Error{ErrorKind::usage, std::string("--mesher cannot be used with ") + name};
-  return Done{};
-}
-
 Status complete_options(MeshArguments& arguments) {
   Options& options = arguments.options;
   for (const auto& [name, given] :
@@ -221,7 +209,9 @@ Status complete_options(MeshArguments& arguments) {
     if (given && arguments.refine)
       return Error{ErrorKind::usage, std::string(name) + " needs a domain and cannot be used with --refine"};
   if (Status fits = check_interior(options.interior, arguments.goal); !fits) return fits;
-  if (Status fits = check_mesher(arguments); !fits) return fits;
+  if (!arguments.mesher.name.empty() && arguments.refine)
+    return Error{ErrorKind::usage, "--mesher cannot be used with --refine"};
+  if (Status fits = check_use(arguments.mesher, options, !arguments.cells.empty()); !fits) return fits;
   use_threads(arguments.threads);
   options.threads = omp_get_max_threads();
   options.max_memory = memory_limit(arguments.max_memory_gib, available_memory());

@@ -1,6 +1,7 @@
 #include "mesher_options.hpp"
 
 #include <CLI/CLI.hpp>
+#include <utility>
 
 #include "../off_the_shelf/own_mesher.hpp"
 #include "../off_the_shelf/program_mesher.hpp"
@@ -39,6 +40,15 @@ void add_mesher_options(CLI::App& app, MesherArguments& arguments) {
       ->type_name("S")
       ->needs(mesher)
       ->group(group);
+}
+
+Status check_use(const MesherArguments& arguments, const Options& options, bool has_cells) {
+  if (arguments.name.empty()) return Done{};
+  for (const auto& [name, given] : {std::pair{"--interior fill", options.interior == Interior::fill},
+                                    std::pair{"--decomposition", options.decomposition != Decomposition::automatic},
+                                    std::pair{"--cells", has_cells}})
+    if (given) return Error{ErrorKind::usage, std::string("--mesher cannot be used with ") + name};
+  return Done{};
 }
 
 Result<std::unique_ptr<SubdomainMesher>> find_mesher(const std::string& name) {

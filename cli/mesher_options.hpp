@@ -17,6 +17,9 @@ struct MesherArguments {
 
 void add_mesher_options(CLI::App& app, MesherArguments& arguments);
 
+/// A `usage` error for options that --mesher has no use for. `has_cells`: --cells is given.
+[[nodiscard]] Status check_use(const MesherArguments& arguments, const Options& options, bool has_cells);
+
 /// The mesher. Errors: `usage` for a command that cannot be used, `io` for a program that does not exist.
 [[nodiscard]] Result<std::unique_ptr<SubdomainMesher>> find_mesher(const std::string& name);
 

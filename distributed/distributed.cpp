@@ -13,25 +13,12 @@
 #include "delaunay/problems_of_points.hpp"
 #include "delaunay/triangulated_points.hpp"
 #include "divided_input/mesh_of_points.hpp"
+#include "meshing/check_distributable.hpp"
 #include "meshing/mesh_in_ranks.hpp"
 
 namespace pardel {
 
 using namespace engine;
-
-namespace {
-
-Error for_one_process(const char* what) {
-  return {ErrorKind::usage, std::string(what) + " works in one process only, not in several ranks"};
-}
-
-Status check_distributable(const Options& options) {
-  if (options.max_vertices > 0) return for_one_process("a limit on the number of vertices");
-  if (options.after_sweep) return for_one_process("a function that is called after each sweep");
-  return Done{};
-}
-
-}  // namespace
 
 Status mesh_in_pieces(const ValidPslg& domain, const Goal& goal, const Options& options, Ranks& ranks, int pieces,
                       const std::function<Status(MeshPiece&& piece, int number)>& visit) {

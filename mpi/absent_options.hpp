@@ -11,19 +11,11 @@ namespace pardel::mpi {
 inline constexpr std::string_view no_standard_output =
     "the pieces of a mesh do not fit into standard output; write OUT.pvtu, and then use 'pardel convert'";
 
-inline constexpr std::array<cli::AbsentOption, 13> absent_options = {{
+inline constexpr std::array<cli::AbsentOption, 9> absent_options = {{
     {"mesh", "--refine", "ranks begin with a domain, not with a mesh; use 'pardel mesh --refine'"},
     {"mesh", "--max-vertices",
      "ranks insert vertices at the same time, so the mesh at a limit would depend on their number; limit the memory of "
      "each rank with --max-memory, or use 'pardel mesh --max-vertices'"},
-    {"mesh", "--mesher",
-     "the tasks of a sequential mesher run on the threads of one machine; use 'pardel mesh --mesher'"},
-    {"mesh", "--scheme",
-     "the tasks of a sequential mesher run on the threads of one machine; use 'pardel mesh --mesher'"},
-    {"mesh", "--triangles-per-task",
-     "the tasks of a sequential mesher run on the threads of one machine; use 'pardel mesh --mesher'"},
-    {"mesh", "--seconds-per-task",
-     "the tasks of a sequential mesher run on the threads of one machine; use 'pardel mesh --mesher'"},
     {"mesh", "--paranoid",
      "no rank has the whole mesh that is checked after a sweep; use --check, or 'pardel mesh --paranoid'"},
     {"mesh", "--format", no_standard_output},

@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -14,7 +13,6 @@
 #include <utility>
 #include <vector>
 
-#include "../cli/choice.hpp"
 #include "../cli/exempt_triangles.hpp"
 #include "../cli/findings_text.hpp"
 #include "../cli/gaps_text.hpp"
@@ -25,7 +23,6 @@
 #include "../cli/memory.hpp"
 #include "../cli/memory_watch.hpp"
 #include "../cli/mesh_options.hpp"
-#include "../cli/names.hpp"
 #include "../cli/output.hpp"
 #include "../cli/points_outside.hpp"
 #include "../cli/refusal.hpp"
@@ -35,14 +32,15 @@
 #include "../core/formats.hpp"
 #include "../core/support/agree.hpp"
 #include "../core/support/collective.hpp"
-#include "../core/support/enum_names.hpp"
 #include "../core/support/exchange_lists.hpp"
 #include "../core/support/open_file.hpp"
 #include "../core/support/stopwatch.hpp"
 #include "../distributed/distributed.hpp"
+#include "../distributed/mesh_with_mesher_in_ranks.hpp"
 #include "../parallel/mesher.hpp"
 #include "../properties/checker/check_pieces.hpp"
 #include "made.hpp"
+#include "mesh_options.hpp"
 #include "outputs.hpp"
 #include "parts_of_report.hpp"
 #include "points.hpp"
@@ -53,112 +51,21 @@ namespace {
 
 using namespace cli;
 
-constexpr const char* mesh_footer =
-    R"(The mesh is that of 'pardel mesh' with the same options and the same --interior, on any number of ranks and
-threads. With --interior fill, --pieces lets a rank make several pieces one after another, so that the mesh can be larger
-than the memory of all ranks. The report of --json has the keys of that of 'pardel mesh', and 'ranks'.
-
-Output:
-  OUT.pvtu           a list of the pieces OUT_0000.vtu, OUT_0001.vtu, ..., one per rank, for ParaView
-  OUT.msh            pieces for Gmsh: OUT_1.msh, OUT_2.msh, ..., one per rank, with ghost triangles
-  OUT.node, OUT.ele  the files OUT.node, OUT.ele and OUT.poly of the whole mesh, as Triangle writes them; all ranks
-                     write them together, and they do not depend on the number of ranks
-Files appear under their names only when all ranks have finished. 'pardel check', 'draw' and 'convert' read OUT.pvtu
-and OUT.node, and OUT.msh, which stands for all its pieces.
-
-Examples:
-  mpirun -n 4 pardel-mpi mesh pipe.poly -o pipe.pvtu --max-area 1e-6
-  mpirun -n 2 pardel-mpi mesh pipe.poly -o large.pvtu --max-area 1e-8 --interior fill --pieces 32)";
-
 constexpr const char* program = "pardel-mpi";
-constexpr int most_pieces = 10'000;              // their numbers have four digits
 constexpr std::uintmax_t small_input = 8 << 20;  // bytes; about 200,000 points
-
-/// How the ranks read the input.
-enum class Reading : std::uint8_t { automatic, whole, parts };
-constexpr auto reading_names = enum_names<Reading>({
-    {Reading::automatic, "auto"},
-    {Reading::whole, "whole"},
-    {Reading::parts, "parts"},
-});
-
-struct Arguments {
-  std::filesystem::path input;
-  Reading reading = Reading::automatic;
-  std::vector<std::filesystem::path> outputs;
-  GoalOptions goal;
-  Options options{.placement = Placement::automatic};  // the interior is refined
-  std::vector<Index> cells;
-  int threads = 0, pieces = 0;  ///< pieces: 0 for one per rank
-  std::optional<double> max_memory_gib;
-  bool repair = false;
-  std::optional<double> snap;
-  bool check = false;
-  std::filesystem::path json;
-  bool msh_ascii = false, quiet = false;
-
-  [[nodiscard]] HowToRead how_to_read() const {
-    return {options.threads, repair, snap, repair ? CrossingPolygons::repaired : CrossingPolygons::refused,
-            options.kept_markers};
-  }
-};
 
 /// A run of the command, and what its report says.
 struct Run {
-  const Arguments& arguments;
+  const MeshArguments& arguments;
   Job& job;
   MeshRun report{};
   FirstId first_id{};  ///< of a domain whose mesh is checked
   PartsOfReport parts{!arguments.json.empty()};
+  SubdomainMesher* mesher = nullptr;  ///< that of --mesher
 };
 
-void add_options(CLI::App& app, Arguments& arguments) {
-  app.add_option("IN", arguments.input, "The domain: .poly, .node or .geojson")->required()->type_name("");
-  app.add_option("-o,--output", arguments.outputs,
-                 "The mesh to write (required); the suffix sets the format: .pvtu, .msh, .node;\n"
-                 "may be repeated")
-      ->required()
-      ->allow_extra_args(false)
-      ->type_name("OUT");
-  add_goal_options(app, arguments.goal, largest_min_angle_deg);
-  add_ways_to_work(app, arguments.options, arguments.cells);
-  app.add_option("--interior", arguments.options.interior,
-                 "What fills the interior where areas and edges have constant bounds: refine (default); fill and\n"
-                 "auto (the default of 'pardel mesh'): see 'pardel mesh --help'")
-      ->transform(choice(interior_names))
-      ->type_name("WHAT");
-  app.add_option("--read", arguments.reading,
-                 "What each rank reads: a part of the input, or the whole; auto (default): a part of an input above\n"
-                 "8 MiB, if no rank needs all of it. The mesh does not depend on it")
-      ->transform(choice(reading_names))
-      ->type_name("WHAT");
-  app.add_option("--pieces", arguments.pieces,
-                 "Number of pieces, at least one per rank (default: one per rank). A rank makes and writes its pieces\n"
-                 "one after another. Only with --interior fill and for one OUT.pvtu")
-      ->check(CLI::Range(1, most_pieces).description(""))
-      ->type_name("N");
-  add_min_edge_option(app, arguments.options);
-  add_keep_option(app, arguments.options);
-  add_memory_option(app, arguments.max_memory_gib)
-      ->description("Stop if a rank needs more memory than this, in GiB (default: its share of the memory available)");
-  add_threads_option(app, arguments.threads, "the mesh")
-      ->description(
-          "Number of threads of each rank; 0 or all (default): its share of the processors of its machine;\n"
-          "the mesh does not depend on it")
-      ->group("Limits");
-  add_repair_options(app, arguments.repair, arguments.snap)
-      ->description(
-          "Repair the domain before meshing: merge points, split segments, close tiny gaps; each rank reads\n"
-          "the whole input then");
-  add_check_option(app, arguments.check);
-  app.add_flag("--msh-ascii", arguments.msh_ascii, "Write .msh as text (default: binary)");
-  add_report_option(app, arguments.json);
-  app.add_flag("-q,--quiet", arguments.quiet, "Print nothing on standard output except the report of --json -");
-  app.footer(mesh_footer);
-}
-
 /// Collective.
-Status write(const Arguments& arguments, const MeshPiece& piece, const Pslg& pslg, Job& job) {
+Status write(const MeshArguments& arguments, const MeshPiece& piece, const Pslg& pslg, Job& job) {
   const MshEncoding msh = arguments.msh_ascii ? MshEncoding::ascii : MshEncoding::binary;
   for (const std::filesystem::path& output : arguments.outputs)
     if (Status written = write_pieces(piece, pslg, output, msh, job); !written) return written;
@@ -204,18 +111,24 @@ Options warning_options(Run& run) {
   return options;
 }
 
-/// One piece per rank.
-Result<Made, Refusal> make_together(const Problem& input, Run& run) {
-  Result<MeshPiece> piece = mesh(input.domain, input.goal, warning_options(run), run.job.ranks());
-  if (!piece) run.job.abort(piece.error());
-  return finished(*piece, input.domain.pslg(), run.arguments.check ? &input : nullptr, run);
+/// One piece per rank, by the mesher of --mesher. Describes in `run` what the mesher has done.
+Result<MeshPiece> mesh_with(SubdomainMesher& mesher, const Problem& input, const Options& options, Run& run) {
+  const MesherArguments& arguments = run.arguments.mesher;
+  Result<PieceWithMesher> made =
+      mesh_with_mesher(input.domain, input.goal, mesher, arguments.how, options, run.job.ranks());
+  if (!made) return made.error();
+  run.report.mesher = MesherOfRun{arguments.name, arguments.how.scheme, made->mesher};
+  return std::move(made->piece);
 }
 
-/// True if no rank needs the whole domain.
-bool may_divide(const Arguments& arguments) {
-  const std::filesystem::path suffix = arguments.input.extension();
-  return (suffix == ".node" || suffix == ".poly") && arguments.pieces == 0 && !arguments.repair &&
-         arguments.goal.sizes.empty() && can_divide_points(goal_without_sizes(arguments.goal), arguments.options);
+/// One piece per rank.
+Result<Made, Refusal> make_together(const Problem& input, Run& run) {
+  const Options options = warning_options(run);
+  Result<MeshPiece> piece = run.mesher != nullptr ? mesh_with(*run.mesher, input, options, run)
+                                                  : mesh(input.domain, input.goal, options, run.job.ranks());
+  if (!piece && piece.error().kind == ErrorKind::usage) return Refusal(piece.error());  // the same on all ranks
+  if (!piece) run.job.abort(piece.error());
+  return finished(*piece, input.domain.pslg(), run.arguments.check ? &input : nullptr, run);
 }
 
 /// True if each rank can as well make the initial mesh and the coarse levels for itself: one rank that makes them for
@@ -233,7 +146,7 @@ bool is_small(const std::filesystem::path& input) {
 }
 
 /// Collective. True if each rank is to read a part of the input.
-bool is_divided(const Arguments& arguments, Job& job) {
+bool is_divided(const MeshArguments& arguments, Job& job) {
   if (job.count() == 1 || arguments.reading == Reading::whole || !may_divide(arguments)) return false;
   // All ranks do the same, even if a machine does not see yet that a file is complete.
   return arguments.reading == Reading::parts || sum_of(is_small(arguments.input) ? 0U : 1U, job.ranks()) > 0;
@@ -272,7 +185,7 @@ Status check_kept_segments(const PartOfPslg& input, bool has_only_points, const 
 
 /// One piece per rank, of a domain of which each rank has a part.
 Result<Made, Refusal> make_of_parts(PartOfPslg&& input, Run& run) {
-  const Arguments& arguments = run.arguments;
+  const MeshArguments& arguments = run.arguments;
   Job& job = run.job;
   const bool has_only_points = is_point_set(input, job.ranks());
   if (Status kept = check_kept_segments(input, has_only_points, run); !kept) return fault_of_domain(kept.error(), run);
@@ -293,7 +206,7 @@ Result<Made, Refusal> make_of_parts(PartOfPslg&& input, Run& run) {
 
 /// Each piece is written before the rank makes the next one.
 Result<Made, Refusal> make_in_turn(const Problem& input, Run& run) {
-  const Arguments& arguments = run.arguments;
+  const MeshArguments& arguments = run.arguments;
   PvtuFiles files(arguments.outputs.front());
   Made made;
   Status written = Done{};
@@ -309,47 +222,6 @@ Result<Made, Refusal> make_in_turn(const Problem& input, Run& run) {
   if (!ended && written) run.job.abort(ended.error());
   if (Status placed = files.commit(written, arguments.pieces, run.job); !placed) return Refusal(placed.error());
   return made;
-}
-
-Status check_number_of_pieces(const Arguments& arguments, int ranks) {
-  if (arguments.pieces == 0) return Done{};
-  if (arguments.check)
-    return Error{ErrorKind::usage,
-                 "--check needs all pieces of a rank in memory, and --pieces makes them one after another; use "
-                 "'pardel-mpi check' afterwards"};
-  if (arguments.outputs.size() != 1 || arguments.outputs.front().extension() != ".pvtu")
-    return Error{ErrorKind::usage, "--pieces needs one output, OUT.pvtu"};
-  if (arguments.pieces < ranks)
-    return Error{ErrorKind::usage, fmt::format("--pieces {}: there are {} ranks, and each makes at least one piece",
-                                               arguments.pieces, ranks)};
-  const GoalOptions& goal = arguments.goal;
-  const bool is_graded = !goal.sizes.empty() || goal.grading || goal.feature_size;
-  const bool has_bound = goal.max_area || goal.max_edge || goal.regions;
-  if (arguments.pieces > ranks && (arguments.options.interior == Interior::refine || is_graded || !has_bound))
-    return Error{ErrorKind::usage, fmt::format("--pieces {}: more pieces than ranks need --interior fill, and the same "
-                                               "bound on areas or edges everywhere",
-                                               arguments.pieces)};
-  return Done{};
-}
-
-Status check_arguments(Arguments& arguments, const Ranks& ranks) {
-  if (Status fine = check_inputs(std::array{arguments.input, arguments.goal.sizes, arguments.goal.sources}, ranks);
-      !fine)
-    return fine;
-  if (arguments.reading == Reading::parts && arguments.repair)
-    return Error{
-        ErrorKind::usage,
-        "--repair needs the whole input on each rank, and --read parts divides it; use --read whole, or 'pardel "
-        "doctor --repair' first"};
-  if (arguments.reading == Reading::parts && !may_divide(arguments))
-    return Error{ErrorKind::usage,
-                 "--read parts needs a .poly or .node, an interior that is refined on a lattice, and bounds that do "
-                 "not vary from place to place, except --regions"};
-  if (Status fine = check_number_of_pieces(arguments, ranks.count()); !fine) return fine;
-  if (Status fine = check_interior(arguments.options.interior, arguments.goal); !fine) return fine;
-  const ExpectedOutputs expected{arguments.outputs, std::max(arguments.pieces, ranks.count()), arguments.json};
-  if (Status fine = check_outputs(expected, arguments.input, arguments.goal, ranks); !fine) return fine;
-  return set_cells(arguments.cells, arguments.options);
 }
 
 /// What one rank says about the whole domain.
@@ -437,7 +309,7 @@ ExitCode verdict(const Run& run) {
   return code_of(certificate, goal_met);
 }
 
-Result<ExitCode> run_mesh(Arguments& arguments, Job& job) {
+Result<ExitCode> run_mesh(MeshArguments& arguments, Job& job) {
   Stopwatch watch;
   const std::uint64_t limit = memory_limit(arguments.max_memory_gib, available_memory(job.ranks_here()));
   const MemoryWatch memory_watch(limit);
@@ -448,7 +320,11 @@ Result<ExitCode> run_mesh(Arguments& arguments, Job& job) {
   // The same on all ranks, because they decide alike. Where the interior is filled, a rank never has a whole mesh.
   if (arguments.options.interior == Interior::refine)
     arguments.options.max_memory = least_and_most_of(limit, job.ranks()).least;
+  Result<std::unique_ptr<SubdomainMesher>> mesher = std::unique_ptr<SubdomainMesher>();
+  if (!arguments.mesher.name.empty()) mesher = find_mesher(arguments.mesher.name);
+  if (Status found = job.agree(mesher ? Done{} : Status(mesher.error())); !found) return found.error();
   Run run{arguments, job};
+  run.mesher = mesher->get();
   Result<Made, Refusal> made = make(run);
   if (!made) return job.is_first() ? refused(made.error(), arguments.input, arguments.json) : made.error().error;
   made->seconds.all = watch.seconds();
@@ -466,11 +342,11 @@ Result<ExitCode> run_mesh(Arguments& arguments, Job& job) {
 }  // namespace
 
 Command add_mesh(CLI::App& program, Job& job) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<MeshArguments>();
   CLI::App* app = program.add_subcommand(
       "mesh",
       "Make a guaranteed-quality mesh of a domain, in pieces; by default that of 'pardel mesh --interior refine'");
-  add_options(*app, *arguments);
+  add_mesh_options(*app, *arguments);
   return {app, [arguments, &job] { return run_mesh(*arguments, job); }};
 }
 

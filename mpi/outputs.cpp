@@ -13,6 +13,7 @@
 #include "../cli/output.hpp"
 #include "../core/support/collective.hpp"
 #include "../core/support/kept_file.hpp"
+#include "../core/support/open_file.hpp"
 #include "../core/support/output_file.hpp"
 #include "../core/support/this_machine.hpp"
 #include "absent_options.hpp"

@@ -2,44 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
-#include <optional>
 #include <utility>
 
 #include "../../core/support/stopwatch.hpp"
 #include "../../parallel/threads/parallel_for.hpp"
 #include "../../parallel/triangulation/limits.hpp"
 #include "glue.hpp"
-#include "verify.hpp"
-#include "without_triangles.hpp"
+#include "share_attempts.hpp"
 
 namespace pardel::engine {
 namespace {
-
-/// What became of a portion.
-struct Attempt {
-  std::optional<Replacement> replacement;
-  std::optional<Breach> breach;
-  bool at_limit = false;
-  double extraction_seconds = 0, mesher_seconds = 0, verification_seconds = 0;
-};
-
-bool same_answer(const RefinedSubdomain& a, const RefinedSubdomain& b) {
-  return a.ending == b.ending && a.points == b.points && a.edge_of_new_point == b.edge_of_new_point &&
-         a.triangles == b.triangles;
-}
-
-RefinedSubdomain ask(MesherRun& run, const Subdomain& subdomain) {
-  std::unique_lock<std::mutex> alone;
-  if (!run.mesher.abilities().is_thread_safe) alone = std::unique_lock(run.one_at_a_time);
-  try {
-    return run.mesher.refine(subdomain);
-  } catch (const std::exception& e) {
-    return without_triangles(RefinedSubdomain::Ending::failed, e.what());
-  } catch (...) {
-    return without_triangles(RefinedSubdomain::Ending::failed, "the mesher threw an exception");
-  }
-}
 
 /// The goal and the limits of a part.
 void set_bounds(const MesherRun& run, std::uint64_t most_new_points, Part& part) {
@@ -65,29 +37,16 @@ void set_bounds(const MesherRun& run, std::uint64_t most_new_points, Part& part)
       std::min(static_cast<std::size_t>(std::min(limit, 1.0 * max_engine_triangles)), most_new_points);
 }
 
-Attempt attempt(MesherRun& run, PartMaker& maker, const Portion& portion, std::uint64_t most_new_points, bool twice) {
+/// Takes the part of a portion out of the mesh. Lets the mesher refine it, unless another rank does this task.
+Attempt attempt(MesherRun& run, PartMaker& maker, const Portion& portion, std::uint64_t most_new_points, bool is_here,
+                bool twice) {
   Attempt result;
   Stopwatch watch;
-  Part part = maker.take_out(portion, run.mesher.abilities().splits_segments);
-  set_bounds(run, most_new_points, part);
+  result.part = maker.take_out(portion, run.mesher.abilities().splits_segments);
+  if (!is_here) return result;
+  set_bounds(run, most_new_points, result.part);
   result.extraction_seconds = watch.lap();
-  RefinedSubdomain answer = ask(run, part.subdomain);
-  result.mesher_seconds = watch.lap();
-  if (twice && !same_answer(answer, ask(run, part.subdomain))) {
-    result.breach = Breach{BreachKind::other_answer, part.subdomain.points.front(),
-                           "the same subdomain got another answer the second time"};
-    return result;
-  }
-  watch.lap();
-  result.at_limit = answer.ending == RefinedSubdomain::Ending::limit;
-  Result<VerifiedSubdomain, Breach> verified =
-      verify(part.subdomain, std::move(answer), part.lines, Floor(run.options.min_edge));
-  if (!verified) {
-    result.breach = verified.error();
-  } else {
-    result.replacement = Replacement{std::move(part), std::move(*verified)};
-  }
-  result.verification_seconds = watch.lap();
+  refine_part(run.mesher, twice, run.options.min_edge, result);
   return result;
 }
 
@@ -119,8 +78,11 @@ std::uint64_t run_tasks(MesherRun& run, const std::vector<Portion>& portions, st
   std::vector<Attempt> attempts(portions.size());
   std::vector<PartMaker> makers(static_cast<std::size_t>(run.threads.count), PartMaker(run.mesh, portion_of));
   parallel_for(run.threads, portions.size(), [&](std::size_t i, int thread) {
-    attempts[i] = attempt(run, makers[static_cast<std::size_t>(thread)], portions[i], most_new_points, i == twice);
+    const bool is_here = run.ranks == nullptr || does_task(i, *run.ranks);
+    attempts[i] =
+        attempt(run, makers[static_cast<std::size_t>(thread)], portions[i], most_new_points, is_here, i == twice);
   });
+  if (run.ranks != nullptr) share_attempts(attempts, *run.ranks);
 
   std::vector<Replacement> replacements;
   std::uint64_t made = 0;
@@ -132,9 +94,9 @@ std::uint64_t run_tasks(MesherRun& run, const std::vector<Portion>& portions, st
     report.verification_seconds += each.verification_seconds;
     if (each.at_limit) ++report.at_limit;
     if (each.breach) report.breaches.add(*each.breach);
-    if (!each.replacement) continue;
-    made += each.replacement->answer.points.size() - each.replacement->part.vertices.size();
-    replacements.push_back(*std::move(each.replacement));
+    if (!each.answer) continue;
+    made += each.answer->points.size() - each.part.vertices.size();
+    replacements.push_back({std::move(each.part), *std::move(each.answer)});
   }
   const Stopwatch watch;
   run.report.flipped += glue(run.mesh, replacements, run.threads);

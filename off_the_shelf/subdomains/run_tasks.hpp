@@ -1,12 +1,13 @@
 // Runs the tasks of a phase: takes parts out of the mesh, has them refined, verifies the answers, and glues them in.
 #pragma once
 
-#include <mutex>
 #include <vector>
 
 #include "../../core/goal.hpp"
+#include "../../core/ranks.hpp"
 #include "../../parallel/scheduling/refine_by_sweeps.hpp"
 #include "../mesh_with_mesher.hpp"
+#include "attempt.hpp"
 #include "part.hpp"
 
 namespace pardel::engine {
@@ -19,11 +20,11 @@ struct MesherRun {
   const Options& options;
   const MesherOptions& how;
   const std::vector<double>& region_caps;  ///< empty: regions have no caps
-  SubdomainMesher& mesher;
+  MesherCaller& mesher;
+  Ranks* ranks;  ///< they share the tasks, and all of them have this mesh; null: this process does all tasks
   Threads threads;
   MesherReport& report;
   const Watcher& watcher;
-  std::mutex one_at_a_time{};
 };
 
 /// Shows the mesh to the watcher of the run, if there is one. The mesh is constrained Delaunay. `made`: the number of
@@ -32,7 +33,8 @@ void show(const MesherRun& run, std::uint64_t made);
 
 /// Refines each portion, all at the same time. An answer that breaks the contract is not used: its portion stays as it
 /// was. `portion_of`: for each triangle, the number of its portion, or no_index. The smallest of several
-/// portions is refined twice: two answers that differ are a breach. Returns the number of new vertices.
+/// portions is refined twice: two answers that differ are a breach. Returns the number of new vertices. Collective if
+/// ranks share the tasks: they exchange their answers once.
 std::uint64_t run_tasks(MesherRun& run, const std::vector<Portion>& portions, std::span<const Index> portion_of);
 
 }  // namespace pardel::engine

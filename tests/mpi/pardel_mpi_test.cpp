@@ -47,6 +47,50 @@ TEST_F(PardelMpi, writes_pieces_that_are_together_a_valid_mesh) {
                               "ranks   3, with 1 threads each; each has read the whole input"}));
 }
 
+TEST_F(PardelMpi, a_sequential_mesher_makes_the_mesh_of_one_process_on_any_number_of_ranks) {
+  const std::string program = PARDEL_PROGRAM " triangle -rpBPQYYq{min-angle}aS{max-points} {mesh}";
+  const std::vector<std::pair<std::string, std::string>> ways = {
+      {"own", "frozen"}, {"own", "cells"}, {"own", "decoupled"}, {program, "frozen"}};
+  for (const auto& [mesher, scheme] : ways) {
+    const std::vector<std::string> how{
+        "mesh", "pipe.poly", "--mesher",   mesher, "--scheme", scheme, "--max-area", "2e-4", "--triangles-per-task",
+        "1000", "--json",    "report.json"};
+    const auto report_on = [&](int ranks) {
+      std::vector<std::string> arguments = how;
+      arguments.insert(arguments.end(), {"-o", ranks == 0 ? "out.vtu" : "out.pvtu"});
+      if (ranks > 0) arguments.emplace_back("--check");
+      const Ran ran = ranks == 0 ? pardel(arguments) : on_ranks(ranks, arguments);
+      EXPECT_EQ(ran.exit_code, 0) << ran;
+      auto report = nlohmann::json::parse(read("report.json"));
+      report["mesher"].erase("seconds");
+      return report;
+    };
+    const auto expected = report_on(0);
+    EXPECT_GT(expected["mesher"]["tasks"], 10);
+    const auto report = report_on(3);
+    EXPECT_EQ(report["digest"], expected["digest"]) << mesher << ' ' << scheme;
+    EXPECT_EQ(report["mesher"], expected["mesher"]) << mesher << ' ' << scheme;
+    EXPECT_TRUE(report["certificate"]["valid"]);
+  }
+}
+
+TEST_F(PardelMpi, a_mesher_that_cannot_be_used_is_refused_on_all_ranks) {
+  const auto refused = [&](const std::vector<std::string>& options, const std::string& message) {
+    std::vector<std::string> arguments{"mesh", "pipe.poly", "-o", "out.pvtu", "--max-area", "1e-3"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Ran ran = on_ranks(2, arguments);
+    EXPECT_NE(ran.exit_code, 0) << ran;
+    EXPECT_TRUE(holds(ran.err, {message})) << ran;
+    EXPECT_EQ(files(), Files{"pipe.poly"});
+  };
+  refused({"--mesher", "no-such-program {mesh}"}, "there is no program 'no-such-program' on the PATH");
+  refused({"--mesher", PARDEL_PROGRAM " triangle -rpq {mesh}", "--scheme", "cells"},
+          "pardel-mpi: the scheme 'cells' needs a mesher that inserts points in a given cell only");
+  refused({"--mesher", "own", "--pieces", "2"}, "--mesher cannot be used with --pieces");
+  refused({"--mesher", "own", "--interior", "fill"}, "--mesher cannot be used with --interior fill");
+  refused({"--mesher", "own", "--read", "parts"}, "--read parts needs");
+}
+
 /// The numbers in the part of the output that matches.
 std::vector<double> numbers_in(const std::string& out, const std::string& pattern) {
   std::smatch found;

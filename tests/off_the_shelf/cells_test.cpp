@@ -94,13 +94,15 @@ CellsRun some_run_over_cells(properties::Exhibit& exhibit) {
   const MesherOptions how{.scheme = Scheme::cells, .triangles_per_task = *rc::gen::element(10U, 40U)};
   const std::vector<double> no_caps;
   const Watcher no_watcher;
+  MesherCaller caller(mesher);
   MesherRun run{result.worked->mesh(),
                 result.worked->goal(),
                 result.worked->criteria(),
                 result.worked->options(),
                 how,
                 no_caps,
-                mesher,
+                caller,
+                nullptr,
                 Threads(*rc::gen::inRange(1, 4)),
                 result.report,
                 no_watcher};

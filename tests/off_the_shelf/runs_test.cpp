@@ -1,59 +1,20 @@
 // Whole runs with a sequential mesher: every run ends with a certified mesh, whatever the mesher does.
 #include <algorithm>
-#include <cmath>
 
 #include "../../core/digest.hpp"
-#include "../../off_the_shelf/mesh_with_mesher.hpp"
 #include "../../properties/comparison/all_arrays.hpp"
-#include "../../properties/theorems/refinement/meshing.hpp"
 #include "bad_meshers.hpp"
+#include "some_run.hpp"
 
 namespace pardel::properties {
 namespace {
-
-constexpr const char* source = "docs/off-the-shelf.md";
-constexpr const char* shelf_families = "lattice domains of every family, random goals, tasks of 4 to 60 triangles";
-
-Scheme some_scheme() {
-  const Scheme scheme = *rc::gen::element(Scheme::frozen, Scheme::cells, Scheme::decoupled);
-  RC_TAG(std::string(name(scheme)));
-  return scheme;
-}
-MesherOptions small_tasks(Scheme scheme) {
-  MesherOptions how{.scheme = scheme};
-  how.triangles_per_task = *rc::gen::element(4U, 15U, 60U);
-  return how;
-}
-MeshedWithMesher run(const Problem& problem, SubdomainMesher& mesher, const MesherOptions& how, int threads = 1) {
-  const auto valid = validate(problem.pslg, {.convex_hull = problem.goal.convex_hull});
-  RC_ASSERT(valid.ok());
-  Result<MeshedWithMesher> result = mesh_with_mesher(*valid, problem.goal, mesher, how, {.threads = threads});
-  if (!result) RC_FAIL(result.error().message);
-  return std::move(*result);
-}
-
-/// Any case, with a bound on areas that a mesh of a few hundred triangles keeps, or sizes that grow from a place.
-Problem some_fine_problem(Exhibit& exhibit) {
-  Problem problem = some_problem(exhibit);
-  const double extent = extent_of(problem.pslg);
-  const int kind = *rc::gen::inRange(0, 4);
-  RC_TAG(kind == 3 ? "graded" : "uniform");
-  if (kind == 1 || kind == 2)
-    problem.goal.max_area = std::min(problem.goal.max_area, extent * extent / *rc::gen::inRange(20, 400));
-  if (kind == 3) {
-    const Point centre = problem.pslg.points[*rc::gen::inRange<std::size_t>(0, problem.pslg.points.size())];
-    const double least = extent / *rc::gen::inRange(20, 200), slope = 0.1 * *rc::gen::inRange(1, 8);
-    problem.goal.size = [=](Point p) { return least + slope * std::hypot(p.x - centre.x, p.y - centre.y); };
-  }
-  return problem;
-}
 
 PARDEL_PROPERTY(
     OffTheShelf, runs_make_a_mesh_that_the_checker_certifies,
     {.statement = "In each scheme, with pardel's own refiner as the mesher, the mesh conforms to the domain, "
                   "is constrained Delaunay and meets the goal as far as mesh() does; no answer breaks the "
                   "contract.",
-     .source = source,
+     .source = shelf_source,
      .families = shelf_families}) {
   const Problem problem = some_fine_problem(exhibit);
   const auto mesher = own_mesher();
@@ -67,7 +28,7 @@ PARDEL_PROPERTY(
 PARDEL_PROPERTY(OffTheShelf, runs_do_not_depend_on_threads,
                 {.statement = "The mesh, with all its data, and what is reported about the mesher are the same on any "
                               "number of threads.",
-                 .source = source,
+                 .source = shelf_source,
                  .families = shelf_families}) {
   const Problem problem = some_fine_problem(exhibit);
   const MesherOptions how = small_tasks(some_scheme());
@@ -84,7 +45,7 @@ PARDEL_PROPERTY(
     OffTheShelf, runs_with_any_breach_end_certified,
     {.statement = "With a mesher that breaks the contract in one way, in all or in some of its answers, the "
                   "run ends with a certified mesh and reports the breaches.",
-     .source = source,
+     .source = shelf_source,
      .families = shelf_families}) {
   const Problem problem = some_fine_problem(exhibit);
   const auto mistake = static_cast<BreachKind>(*rc::gen::inRange(0, breach_kinds));
@@ -100,7 +61,7 @@ PARDEL_PROPERTY(
 
 PARDEL_PROPERTY(OffTheShelf, runs_with_a_mesher_that_does_nothing_end_as_without_one,
                 {.statement = "If the mesher does nothing and there is one task, the mesh is that of mesh().",
-                 .source = source,
+                 .source = shelf_source,
                  .families = shelf_families}) {
   const Problem problem = some_fine_problem(exhibit);
   LazyMesher mesher;
@@ -111,7 +72,7 @@ PARDEL_PROPERTY(OffTheShelf, runs_with_a_mesher_that_does_nothing_end_as_without
 
 PARDEL_PROPERTY(OffTheShelf, runs_split_no_segment_that_is_kept,
                 {.statement = "With no_segment_splits, no vertex of the mesh lies on a segment but those of the input.",
-                 .source = source,
+                 .source = shelf_source,
                  .families = shelf_families}) {
   const Problem problem = some_fine_problem(exhibit);
   const auto mesher = own_mesher();
@@ -126,7 +87,7 @@ PARDEL_PROPERTY(OffTheShelf, runs_split_no_segment_that_is_kept,
 
 PARDEL_PROPERTY(OffTheShelf, runs_keep_a_limit_on_vertices,
                 {.statement = "The mesh has at most max_vertices vertices, or those of the input.",
-                 .source = source,
+                 .source = shelf_source,
                  .families = shelf_families}) {
   const Problem problem = some_fine_problem(exhibit);
   const auto mesher = own_mesher();
@@ -143,7 +104,7 @@ PARDEL_PROPERTY(OffTheShelf, runs_keep_a_limit_on_vertices,
 PARDEL_PROPERTY(OffTheShelf, meshes_conform_after_each_phase,
                 {.statement = "After each phase the mesh conforms to the domain and is constrained Delaunay, also with "
                               "a mesher that breaks the contract now and then.",
-                 .source = source,
+                 .source = shelf_source,
                  .families = shelf_families}) {
   const Problem problem = some_fine_problem(exhibit);
   BadMesher mesher(static_cast<BreachKind>(*rc::gen::inRange(0, breach_kinds)), 3);

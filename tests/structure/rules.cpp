@@ -24,8 +24,8 @@ const std::vector<Layer>& layers() {
   static const std::vector<Layer> table = {
       {"core", {}},
       {"parallel", {"core"}},
-      {"distributed", {"core", "parallel"}},
       {"off_the_shelf", {"core", "parallel"}},
+      {"distributed", {"core", "parallel", "off_the_shelf"}},
       {"ref", {"core"}},
       {"properties/checker", {"core"}},
       {"properties/domains", {"core"}},
@@ -121,6 +121,7 @@ const std::vector<Exception>& exceptions() {
       {"parallel", "core/support", "core/support is for all folders of the project"},
       {"distributed", "core/support", "core/support is for all folders of the project"},
       {"distributed", "parallel", "the ranks run the engine on their parts"},
+      {"distributed", "off_the_shelf/schemes", "the ranks share the tasks of the schemes"},
       {"off_the_shelf", "core/support", "core/support is for all folders of the project"},
       {"off_the_shelf", "parallel", "the schemes work on the engine's triangulation"},
       {"properties", "core/support", "core/support is for all folders of the project"},

@@ -81,6 +81,7 @@ const std::map<std::string, std::vector<std::string>> covering_tests = {
     {"diagnosis/extents_by_scale", {"diagnosis/find_gaps_test", "domain/repair_of_scales_test"}},
     {"diagnosis/tiny_gaps", {"domain/repair_test", "domain/repair_of_scales_test"}},
     {"divided_input/divided_background", {"divided_input/mesh_of_points_test"}},
+    {"meshing/check_distributable", {"meshing/pieces_test"}},
     {"patches/border_edges", {"filling/filling_test"}},
     {"patches/cut_out", {"filling/filling_test"}},
     {"patches/lay_patches", {"filling/filling_test"}},
