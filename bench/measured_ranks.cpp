@@ -11,7 +11,7 @@ namespace pardel::bench {
 
 std::vector<MeasuredRank> measure_ranks(const ValidPslg& domain, const Goal& goal, mpi::MpiRanks& ranks) {
   constexpr std::size_t usual_memory = std::size_t{1} << 30U;
-  (void)touch_memory(usual_memory / static_cast<std::size_t>(ranks.count()));
+  (void)workloads::touch_memory(usual_memory / static_cast<std::size_t>(ranks.count()));
   MPI_Barrier(MPI_COMM_WORLD);
   const Stopwatch watch;
   RecordingRanks recording(ranks);

@@ -13,9 +13,7 @@
 #include "../core/digest.hpp"
 #include "../core/support/stopwatch.hpp"
 #include "../core/support/work_folder.hpp"
-#include "../off_the_shelf/in_processes.hpp"
 #include "../off_the_shelf/mesh_with_mesher.hpp"
-#include "../off_the_shelf/program_mesher.hpp"
 #include "../parallel/mesher.hpp"
 #include "../properties/checker/check.hpp"
 #include "meshers/meshers.hpp"
@@ -43,34 +41,8 @@ struct Row {
   std::string digest{}, verdict{};
 };
 
-std::vector<std::string> names_of_all() {
-  std::vector<std::string> names;
-  for (const NamedMesher& mesher : meshers()) names.emplace_back(mesher.name);
-  for (const std::string& program : named_programs()) names.push_back("program " + program);
-  return names;
-}
-
-/// The mesher of a row, or nothing if it cannot be had. Libraries that are not thread-safe run in processes.
-std::unique_ptr<SubdomainMesher> make_mesher(const std::string& name, int threads) {
-  constexpr std::string_view program = "program ";
-  if (name.starts_with(program)) {
-    Result<std::unique_ptr<SubdomainMesher>> made = program_mesher(*named_program(name.substr(program.size())));
-    return made ? std::move(*made) : nullptr;
-  }
-  std::unique_ptr<SubdomainMesher> mesher = mesher_named(name);
-  if (mesher == nullptr || mesher->abilities().is_thread_safe || threads == 1) return mesher;
-  Result<std::unique_ptr<SubdomainMesher>> wrapped = in_processes(std::move(mesher), threads);
-  return wrapped ? std::move(*wrapped) : nullptr;
-}
-
-std::optional<Scheme> scheme_named(const std::string& text) {
-  for (const Scheme scheme : {Scheme::frozen, Scheme::cells, Scheme::decoupled})
-    if (text == name(scheme)) return scheme;
-  return {};
-}
-
 void run(Row& row, const ValidPslg& domain, const Settings& settings) {
-  const std::unique_ptr<SubdomainMesher> mesher = make_mesher(row.mesher, row.threads);
+  const std::unique_ptr<SubdomainMesher> mesher = mesher_for(row.mesher, row.threads);
   if (mesher == nullptr) {
     row.verdict = "no such mesher here";
     return;
@@ -131,7 +103,7 @@ int run_all(Settings& settings) {
   const auto domain = validate(make_domain(settings.task));
   if (!domain) return 1;
   std::vector<Row> rows;
-  for (const std::string& mesher : settings.meshers.empty() ? names_of_all() : settings.meshers)
+  for (const std::string& mesher : settings.meshers.empty() ? names_of_meshers() : settings.meshers)
     for (const std::string& scheme : settings.schemes)
       if (const std::optional<Scheme> known = scheme_named(scheme))
         for (const int threads : settings.threads) rows.push_back({mesher, *known, threads});

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,8 +17,10 @@
 #include "../cli/names.hpp"
 #include "../core/digest.hpp"
 #include "../core/support/stopwatch.hpp"
+#include "../off_the_shelf/mesh_with_mesher.hpp"
 #include "../parallel/mesher.hpp"
 #include "../properties/domains/domains.hpp"
+#include "meshers/meshers.hpp"
 #include "run_in_child.hpp"
 #include "table_as_json.hpp"
 #include "tool.hpp"
@@ -55,7 +59,7 @@ struct Timed {
   double seconds = 0;  ///< time of validation, triangulation and refinement
   std::uint64_t triangles = 0;
   std::uint64_t peak_rss_bytes = 0;
-  std::uint32_t cells = 0;
+  std::uint32_t cells = 0;  ///< or tasks of the mesher
   Digest digest{};
 };
 
@@ -64,17 +68,32 @@ struct Settings {
   double per_thread = 5e6;
   int runs = 3;
   Decomposition decomposition = Decomposition::automatic;
-  std::string mpirun;  ///< empty: no ranks are measured
+  std::string mesher, scheme = "frozen";  ///< a sequential mesher for the tasks; empty: pardel works in its own way
+  std::string mpirun;                     ///< empty: no ranks are measured
 
   [[nodiscard]] double max_area(const Table& table, int processors) const {
     return triangles_per_cap * table.area / (per_thread * processors);
   }
 };
 
+Timed run_with_mesher(const Pslg& pslg, const Goal& goal, const Settings& settings, int threads) {
+  const std::unique_ptr<SubdomainMesher> mesher = mesher_for(settings.mesher, threads);
+  const std::optional<Scheme> scheme = scheme_named(settings.scheme);
+  if (mesher == nullptr || !scheme) return {};
+  const Stopwatch watch;
+  const Result<MeshedWithMesher> made =
+      mesh_with_mesher(*validate(pslg), goal, *mesher, {.scheme = *scheme}, {.threads = threads});
+  if (!made) return {};
+  const double seconds = watch.seconds();
+  return {seconds, made->mesh.triangles.size(), peak_rss_bytes(), static_cast<std::uint32_t>(made->mesher.tasks),
+          digest(made->mesh)};
+}
+
 std::optional<Timed> run(const Table& table, const Settings& settings, int threads) {
   return run_in_child<Timed>([&] {
     const Pslg pslg = *domains::generate(table.domain, 0, 1);
     const Goal goal{.max_area = settings.max_area(table, threads)};
+    if (!settings.mesher.empty()) return run_with_mesher(pslg, goal, settings, threads);
     const Stopwatch watch;
     const Result<Meshed> meshed = mesh(pslg, goal, {.threads = threads, .decomposition = settings.decomposition});
     if (!meshed) return Timed{};
@@ -105,16 +124,17 @@ constexpr const char* failed = "failed";
 std::string seconds_of_ranks(const Table& table, const Settings& settings, int ranks, const Timed& like) {
   if (settings.mpirun.empty()) return "";
   const std::filesystem::path here = std::filesystem::read_symlink("/proc/self/exe").parent_path();
-  const std::vector<std::string> command = {settings.mpirun,
-                                            "--oversubscribe",
-                                            "--bind-to",
-                                            "none",
-                                            "-n",
-                                            std::to_string(ranks),
-                                            (here / "paper_ranks").string(),
-                                            table.domain,
-                                            fmt::format("{}", settings.max_area(table, ranks)),
-                                            std::to_string(like.peak_rss_bytes)};
+  std::vector<std::string> command = {settings.mpirun,
+                                      "--oversubscribe",
+                                      "--bind-to",
+                                      "none",
+                                      "-n",
+                                      std::to_string(ranks),
+                                      (here / "paper_ranks").string(),
+                                      table.domain,
+                                      fmt::format("{}", settings.max_area(table, ranks)),
+                                      std::to_string(like.peak_rss_bytes)};
+  if (!settings.mesher.empty()) command.insert(command.end(), {settings.mesher, settings.scheme});
   std::vector<double> all;
   for (int i = 0; i < settings.runs; ++i) {
     const std::string output = run_program(command).output;
@@ -141,8 +161,9 @@ struct Measured {
 void add(const Table& table, const Settings& settings, Measured& measured) {
   fmt::print("### {}\n\n", table.title);
   fmt::print(
-      "| | threads or ranks | cells | triangles, millions | seconds, MPI | seconds, OpenMP | millions/s | "
-      "millions/s/thread | bytes/triangle |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|\n");
+      "| | threads or ranks | {} | triangles, millions | seconds, MPI | seconds, OpenMP | millions/s | "
+      "millions/s/thread | bytes/triangle |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|\n",
+      settings.mesher.empty() ? "cells" : "tasks");
   for (const TheirRun& run : table.theirs)
     fmt::print("| the paper, Table {} | {} | | {:.1f} | {} | {} | | | |\n", run.table, run.processors, run.millions,
                run.mpi, run.openmp);
@@ -180,6 +201,9 @@ int main(int argc, char** argv) {
   app.add_option("--runs", settings.runs, "Runs a row; the median is shown")->check(CLI::PositiveNumber);
   app.add_option("--decomposition", settings.decomposition, "auto, paper or none")
       ->transform(cli::choice(cli::decomposition_names));
+  app.add_option("--mesher", settings.mesher, "A sequential mesher that does the tasks, as off_the_shelf names it")
+      ->check(CLI::IsMember(bench::names_of_meshers()));
+  app.add_option("--scheme", settings.scheme, "frozen (default), cells or decoupled: how its tasks are made");
   app.add_option("--mpirun", settings.mpirun, "Also measure ranks of one thread, started by this program (Open MPI)");
   std::string json;
   app.add_option("--json", json, "Also write the rows of this machine to this file, in the format of Google Benchmark");

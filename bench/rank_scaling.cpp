@@ -91,7 +91,7 @@ class Comparison {
   /// run takes about 50 bytes per triangle, but the system need not give it the memory that was freed last.
   void warm(int parts) const {
     constexpr std::uint64_t bytes_per_triangle = 150;
-    (void)touch_memory(bytes_per_triangle * settings_.task.triangles / static_cast<std::uint64_t>(parts));
+    (void)workloads::touch_memory(bytes_per_triangle * settings_.task.triangles / static_cast<std::uint64_t>(parts));
   }
 
   /// A host may let a virtual machine run faster for some seconds after it has rested. Without a rest before each run,

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
-#include "../../off_the_shelf/subdomain_mesher.hpp"
+#include "../../off_the_shelf/mesh_with_mesher.hpp"
 
 namespace pardel::bench {
 
@@ -20,5 +22,14 @@ struct NamedMesher {
 
 /// Null if there is no mesher of this name.
 [[nodiscard]] std::unique_ptr<SubdomainMesher> mesher_named(std::string_view name);
+
+/// Nothing if there is no scheme of this name.
+[[nodiscard]] std::optional<Scheme> scheme_named(std::string_view text);
+
+/// The names for mesher_for(): those of meshers(), and "program triangle" for each named program.
+[[nodiscard]] std::vector<std::string> names_of_meshers();
+/// For this number of threads: what is not thread-safe runs in as many worker processes. To be called before the
+/// process uses threads. Null if the mesher cannot be had here.
+[[nodiscard]] std::unique_ptr<SubdomainMesher> mesher_for(const std::string& name, int threads);
 
 }  // namespace pardel::bench
