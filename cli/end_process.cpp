@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <cstdio>
 
-#include "../core/support/output_file.hpp"
+#include "../core/support/short_lived.hpp"
 #include "exit_code.hpp"
 
 namespace pardel::cli {
@@ -33,7 +33,7 @@ void write_message(std::string_view message) {
 void name_process(const char* name) { process_name() = name; }
 
 void end_process(ErrorKind kind, std::string_view message) {
-  [[maybe_unused]] const auto lock = remove_partial_files();
+  [[maybe_unused]] const auto lock = leave_nothing_behind();
   std::array<char, 512> text{};  // no memory is allocated, because there may be none left
   const auto written =
       fmt::format_to_n(text.data(), text.size(), "{}{}: {}\n", erase_progress_line(), process_name().load(), message);

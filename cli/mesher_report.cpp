@@ -36,7 +36,9 @@ nlohmann::ordered_json mesher_json(const MesherOfRun& mesher) {
           {"flipped_edges", r.flipped},
           {"breaches", breaches},
           {"seconds",
-           {{"mesher", r.mesher_seconds},
+           {{"preparation", r.preparation_seconds},
+            {"division", r.division_seconds},
+            {"mesher", r.mesher_seconds},
             {"extraction", r.extraction_seconds},
             {"verification", r.verification_seconds},
             {"gluing", r.gluing_seconds}}}};

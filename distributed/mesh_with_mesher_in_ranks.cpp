@@ -52,9 +52,10 @@ Result<PieceWithMesher> mesh_with_mesher(const ValidPslg& domain, const Goal& go
                                          const MesherOptions& how, const Options& options, Ranks& ranks) {
   if (Status in_range = check_goal(goal, options); !in_range) return in_range.error();
   if (Status fits = check_distributable(options); !fits) return fits.error();
-  if (Status fits = check_mesher(how, mesher.abilities()); !fits) return fits.error();
-  return supervised(options, [&](const Options& safe, ProgressMonitor& progress) {
-    return run_in_ranks({mesher, how, safe, {}, &ranks}, domain, goal, progress);
+  return supervised(options, [&](const Options& safe, ProgressMonitor& progress) -> Result<PieceWithMesher> {
+    const Result<MesherAbilities> abilities = checked_abilities(mesher, how);
+    if (!abilities) return abilities.error();
+    return run_in_ranks({mesher, *abilities, how, safe, {}, &ranks}, domain, goal, progress);
   });
 }
 

@@ -11,7 +11,7 @@
 #include <thread>
 
 #include "../core/support/agree.hpp"
-#include "../core/support/output_file.hpp"
+#include "../core/support/short_lived.hpp"
 
 namespace pardel::mpi {
 
@@ -49,7 +49,7 @@ Job::~Job() {
 Status Job::agree(const Status& here) { return pardel::agree(here, ranks_); }
 
 void Job::abort(const Error& error) {
-  (void)remove_partial_files();  // no destructor runs
+  (void)leave_nothing_behind();  // no destructor runs
   // If all ranks have the same error, the first one ends the others before they print it, too.
   if (!is_first()) std::this_thread::sleep_for(std::chrono::milliseconds(500));
   const cli::ExitCode code =

@@ -24,6 +24,7 @@ const char* name(BreachKind kind) {
                                                  {BreachKind::off_segment, "off_segment"},
                                                  {BreachKind::outside_cell, "outside_cell"},
                                                  {BreachKind::too_short_edge, "too_short_edge"},
+                                                 {BreachKind::too_near_edge, "too_near_edge"},
                                                  {BreachKind::other_answer, "other_answer"}});
   static_assert(names.size() == breach_kinds);
   return names[kind];

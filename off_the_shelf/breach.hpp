@@ -26,10 +26,11 @@ enum class BreachKind : std::uint8_t {
   split_frozen_edge,  ///< a new point lies on a frozen edge
   off_segment,        ///< a new point is not on the edge that it is said to split
   outside_cell,       ///< a new point lies outside the cell of the task
-  too_short_edge,     ///< a new edge is shorter than the floor (Options::min_edge)
+  too_short_edge,     ///< a new edge, also after flips to Delaunay, is shorter than the floor (Options::min_edge)
+  too_near_edge,      ///< a new point lies so close to an edge that must stay that doubles hardly resolve the triangle
   other_answer,       ///< the same subdomain got another answer the second time
 };
-inline constexpr int breach_kinds = 18;
+inline constexpr int breach_kinds = 19;
 /// The enumerator as text: "moved_point".
 [[nodiscard]] const char* name(BreachKind kind);
 

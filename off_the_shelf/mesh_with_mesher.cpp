@@ -15,8 +15,9 @@ using namespace engine;
 
 namespace {
 
-Result<MeshedWithMesher> run_with(SubdomainMesher& mesher, const ValidPslg& valid, const Goal& goal,
-                                  const MesherOptions& how, const Options& options, ProgressMonitor& progress) {
+Result<MeshedWithMesher> run_with(SubdomainMesher& mesher, const MesherAbilities& abilities, const ValidPslg& valid,
+                                  const Goal& goal, const MesherOptions& how, const Options& options,
+                                  ProgressMonitor& progress) {
   Stopwatch watch;
   const Pslg& pslg = valid.pslg();
   const Threads threads = progress.threads();
@@ -29,7 +30,7 @@ Result<MeshedWithMesher> run_with(SubdomainMesher& mesher, const ValidPslg& vali
   const Result<RunPlan> plan = plan_run(pslg, goal, *domain, options, threads);
   if (!plan) return plan.error();
 
-  const WorkWithMesher work{mesher, how, options,
+  const WorkWithMesher work{mesher, abilities, how, options,
                             watcher(*domain, options, [&](DomainTriangulation&& snapshot) -> Result<Mesh> {
                               return to_mesh(std::move(snapshot), input, threads);
                             })};
@@ -56,9 +57,10 @@ const char* name(Scheme scheme) {
 Result<MeshedWithMesher> mesh_with_mesher(const ValidPslg& domain, const Goal& goal, SubdomainMesher& mesher,
                                           const MesherOptions& how, const Options& options) {
   if (Status in_range = check_goal(goal, options); !in_range) return in_range.error();
-  if (Status fits = check_mesher(how, mesher.abilities()); !fits) return fits.error();
-  return supervised(options, [&](const Options& safe, ProgressMonitor& progress) {
-    return run_with(mesher, domain, goal, how, safe, progress);
+  return supervised(options, [&](const Options& safe, ProgressMonitor& progress) -> Result<MeshedWithMesher> {
+    const Result<MesherAbilities> abilities = checked_abilities(mesher, how);
+    if (!abilities) return abilities.error();
+    return run_with(mesher, *abilities, domain, goal, how, safe, progress);
   });
 }
 

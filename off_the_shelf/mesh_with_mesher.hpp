@@ -38,12 +38,14 @@ struct MesherOptions {
   /// The most sweeps over the mesh before pardel's own refiner does the rest. Fewer if nothing is left to do, or if a
   /// sweep achieves little.
   std::uint32_t most_sweeps = 8;
-  double seconds_per_task = 60;  ///< > 0; only meshers that are programs or run in processes are ended by it
+  /// > 0; ends meshers that are programs or run in processes. Where it does, the mesh depends on the speed of the
+  /// machine. A mesher in this process that never returns is not ended.
+  double seconds_per_task = 60;
 };
 
-/// What the tasks of a run have done. The times are sums over all threads.
+/// What the tasks of a run have done.
 struct MesherReport {
-  std::uint64_t tasks = 0;      ///< calls of the mesher
+  std::uint64_t tasks = 0;      ///< parts that the mesher was given; in each phase it gets one of them twice
   std::uint32_t sweeps = 0;     ///< rounds over the whole domain
   std::uint32_t phases = 0;     ///< groups of tasks that ran at the same time
   std::uint64_t inserted = 0;   ///< vertices of the mesher, inside faces and on segments
@@ -52,7 +54,11 @@ struct MesherReport {
   std::uint64_t flipped = 0;    ///< edges between parts that were not Delaunay after gluing; none with cells
   std::uint64_t at_limit = 0;   ///< answers that ended at a limit
   Breaches breaches;
-  double mesher_seconds = 0, extraction_seconds = 0, verification_seconds = 0, gluing_seconds = 0;
+  double preparation_seconds = 0;  ///< the coarse mesh before the first sweep
+  double division_seconds = 0;     ///< dividing the mesh into parts, and finding what is left to do
+  /// Sums over all threads: taking parts out of the mesh, calls of the mesher, verification of its answers.
+  double extraction_seconds = 0, mesher_seconds = 0, verification_seconds = 0;
+  double gluing_seconds = 0;
 };
 
 struct MeshedWithMesher {

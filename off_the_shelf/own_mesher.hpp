@@ -1,4 +1,5 @@
-// pardel's own sequential refiner as a SubdomainMesher. It can serve every scheme.
+// pardel's own sequential refiner as a SubdomainMesher. It can serve every scheme. It needs
+// no limit on time, because the limit on new points ends every task.
 #pragma once
 
 #include <memory>

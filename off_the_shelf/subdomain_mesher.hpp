@@ -41,7 +41,8 @@ struct Subdomain {
   /// If given, new points have to lie in this cell: the rule of the paper's lattice. Everything that would need a point
   /// elsewhere stays as it is.
   std::optional<SubdomainCell> cell;
-  double min_edge = 0;              ///< no new edge may be shorter
+  /// No new edge may be shorter. In the mesh, edges that cross frozen borders can be somewhat shorter.
+  double min_edge = 0;
   std::size_t most_new_points = 0;  ///< the most points that may be inserted
   double seconds = 0;               ///< the time in which the answer has to come
 };

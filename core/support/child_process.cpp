@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
@@ -14,9 +15,12 @@
 #include <csignal>
 #include <cstring>
 #include <fstream>
+#include <mutex>
 #include <string_view>
 
+#include "partial_files.hpp"
 #include "shell_words.hpp"
+#include "short_lived.hpp"
 
 namespace pardel {
 namespace {
@@ -30,9 +34,12 @@ void limit(__rlimit_resource resource, std::uint64_t value) {
 
 /// Replaces the child process, after the fork, by the program argv[0]. Makes system calls only, because other threads
 /// may have held locks at the fork.
-[[noreturn]] void exec_in_child(char* const* argv, char* const* environment, const char* log,
-                                const ChildLimits& limits) {
+[[noreturn]] void exec_in_child(char* const* argv, char* const* environment, const char* log, const ChildLimits& limits,
+                                pid_t parent) {
   setpgid(0, 0);
+  // The signal comes when the thread that waits for the child ends: then the whole process has ended.
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(126);
   const int in = open("/dev/null", O_RDONLY);
   const int out = open(log, O_WRONLY | O_CREAT | O_TRUNC | O_APPEND, 0600);
   if (in < 0 || out < 0 || dup2(in, 0) < 0 || dup2(out, 1) < 0 || dup2(out, 2) < 0) _exit(126);
@@ -79,16 +86,23 @@ ChildRun run_child(const std::vector<std::string>& words, const std::filesystem:
   argv.push_back(nullptr);
   const std::vector<char*> environment = environment_for(limits);
 
-  const pid_t child = fork();
-  if (child < 0) return {ChildEnding::not_started, errno};
-  if (child == 0) exec_in_child(argv.data(), environment.data(), log.c_str(), limits);
-  setpgid(child, child);  // in parent and child, so the group exists before it is killed
+  const pid_t parent = getpid();
+  pid_t child = -1;
+  {
+    const std::scoped_lock lock(PartialFiles::of_process().mutex);
+    child = fork();
+    if (child < 0) return {ChildEnding::not_started, errno};
+    if (child == 0) exec_in_child(argv.data(), environment.data(), log.c_str(), limits, parent);
+    setpgid(child, child);  // in parent and child, so the group exists before it is killed
+    ShortLived::of_process().add_child(child);
+  }
   // glibc 2.36 declares pidfd_open() without extern "C".
   const int handle = static_cast<int>(syscall(SYS_pidfd_open, child, 0));
   const int no_handle = errno;
   const ChildEnding ending = handle < 0 ? ChildEnding::not_started : wait_for(handle, limits, stop);
   if (handle >= 0) close(handle);
   kill(-child, SIGKILL);  // before waitpid(), while the process id cannot be reused
+  ShortLived::of_process().forget_child(child);
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }

@@ -32,7 +32,8 @@ struct ChildRun {
 
 /// Runs a command; words[0] is the path of the program. Standard input is empty; both outputs go to the file `log`. The
 /// program runs in a new process group. All processes of the group are killed when the program ends, when its time is
-/// over, or when stop() returns true; stop() is called about ten times a second. Several threads may
+/// over, when stop() returns true, or when this process ends early (short_lived.hpp); the program itself also when this
+/// process is killed. stop() is called about ten times a second. Several threads may
 /// call run_child() at the same time.
 [[nodiscard]] ChildRun run_child(const std::vector<std::string>& words, const std::filesystem::path& log,
                                  const ChildLimits& limits, const std::function<bool()>& stop);

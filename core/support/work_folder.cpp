@@ -4,13 +4,14 @@
 #include <cstdlib>
 #include <system_error>
 
+#include "short_lived.hpp"
+
 namespace pardel {
 
 namespace fs = std::filesystem;
 
 WorkFolder::~WorkFolder() {
-  std::error_code ignored;
-  if (!path_.empty()) fs::remove_all(path_, ignored);
+  if (!path_.empty()) ShortLived::of_process().remove_folder(path_);
 }
 
 Status WorkFolder::make(const std::string& prefix) {
@@ -20,6 +21,7 @@ Status WorkFolder::make(const std::string& prefix) {
   if (mkdtemp(name.data()) == nullptr)
     return Error{ErrorKind::io, name + ": " + std::generic_category().message(errno)};
   path_ = name;
+  ShortLived::of_process().add_folder(path_);
   return Done{};
 }
 

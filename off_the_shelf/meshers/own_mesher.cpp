@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "../../core/support/stopwatch.hpp"
 #include "../../parallel/refinement/task.hpp"
 #include "../subdomains/box_of.hpp"
 #include "../subdomains/half_edges.hpp"
@@ -15,7 +14,6 @@ using namespace engine;
 namespace {
 
 /// Thrown when the time of a task is over.
-struct TimeIsOver {};
 
 constexpr int frozen_marker = 1, free_marker = 2;
 
@@ -83,7 +81,6 @@ class OwnMesher final : public SubdomainMesher {
   [[nodiscard]] MesherAbilities abilities() const override { return {true, true, true, true, true}; }
 
   [[nodiscard]] RefinedSubdomain refine(const Subdomain& subdomain) override {
-    const Stopwatch watch;
     Imported in = import_subdomain(subdomain);
     Triangulation& t = in.t;
     Goal goal = subdomain.goal;
@@ -109,14 +106,9 @@ class OwnMesher final : public SubdomainMesher {
     const Tiles tiles = tiles_for(subdomain);
     Task task(t, assessor, criteria, subdomain.min_edge, subdomain.cell.has_value());
     RefinedSubdomain answer;
-    try {
-      const TaskResult done = task.run(tiles, tiles.cells() / 2, seeds, {}, free, [&](std::uint64_t) {
-        if (watch.seconds() > subdomain.seconds) throw TimeIsOver{};
-      });
-      if (done.out_of_numbers > 0) answer.ending = RefinedSubdomain::Ending::limit;
-    } catch (const TimeIsOver&) {
-      answer.ending = RefinedSubdomain::Ending::limit;
-    }
+    // The limit on new points ends the task; a limit on time would let the mesh depend on the speed of the machine.
+    const TaskResult done = task.run(tiles, tiles.cells() / 2, seeds, {}, free, [](std::uint64_t) {});
+    if (done.out_of_numbers > 0) answer.ending = RefinedSubdomain::Ending::limit;
     write(t, vertices + most - static_cast<Index>(free.vertices.left()),
           triangles + 2 * most - static_cast<Index>(free.triangles.left()), subdomain, answer);
     return answer;

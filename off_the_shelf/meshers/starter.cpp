@@ -138,8 +138,8 @@ class StarterProcess {
  public:
   StarterProcess(Descriptor control, SubdomainMesher& mesher) : control_(std::move(control)), mesher_(mesher) {}
 
-  /// Returns when the other end of the control socket is closed.
-  void run() {
+  /// Returns when the other end of the control socket is closed. What is thrown must not reach the caller of fork().
+  void run() noexcept {
     Request request{};
     while (receive_packet(control_.number(), &request, sizeof request)) {
       Reply reply{};

@@ -25,7 +25,7 @@ Channel::Bytes answer_to(SubdomainMesher& mesher, const Channel::Bytes& subdomai
 
 }  // namespace
 
-void serve(SubdomainMesher& mesher, Channel& channel) {
+void serve(SubdomainMesher& mesher, Channel& channel) noexcept {
   using Outcome = Channel::Outcome;
   Channel::Message message;
   while (channel.receive(message) == Outcome::done &&

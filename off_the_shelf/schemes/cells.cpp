@@ -1,9 +1,9 @@
-// The paper's scheme: cells of several colours, and a phase for each colour. A task gets the triangles whose
-// circumdisk, or the diametral disk of one of their constrained sides, meets its cell: those that an insertion in the
-// cell can change or be blocked by. All of them lie in the box of the cell if circumradii are small enough (T1), and
-// the boxes of one colour are disjoint (THEORY.md, Lattice and Quadtree), so the tasks of a phase never share a
-// triangle. A cell whose task would need a triangle beyond its box waits for the next sweep, which measures circumradii
-// again.
+// The paper's scheme: cells of several colours, and a phase for each colour. A task gets the triangles that an
+// insertion in its cell can change: those whose circumdisk meets the cell. They lie in the box of the cell if
+// circumradii are small enough (T1), and the boxes of one colour are disjoint (THEORY.md, Lattice and Quadtree), so the
+// tasks of a phase never share a triangle. A cell whose task would need a triangle beyond its box waits for the next
+// sweep, which measures circumradii again. A task also gets the triangles in its box with a constrained side whose
+// diametral disk meets the cell: an insertion may encroach upon such a side.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -61,23 +61,24 @@ class CellSweep {
   CellSweep(MesherRun& run, const Tiles& tiles) : run_(run), t_(run.mesh.t), tiles_(tiles) {
     for (Index cell = 0; cell < tiles.cells(); ++cell) {
       rectangles_.push_back(rectangle_of(tiles, cell));
-      least_radius_that_fits_ = std::min(least_radius_that_fits_, tiles.radius_that_fits(cell));
+      double least = tiles.radius_that_fits(cell);
+      for (const Index other : tiles.touching(cell)) least = std::min(least, tiles.radius_that_fits(other));
+      radius_around_.push_back(least);
     }
   }
 
-  /// `to_split`: the triangles that wait when the sweep starts. Returns the number of new vertices.
-  std::uint64_t run(std::span<const TriangleId> to_split) {
+  /// `to_split`: the triangles that wait when the sweep starts.
+  void run(std::span<const TriangleId> to_split) {
     find_cells_with_work(to_split);
-    std::uint64_t made = 0;
+    find_nearby();
     for (unsigned colour = 0; colour < tiles_.colours(); ++colour) {
       run_.threads.ask();
       const Portions portions = portions_of(colour);
       if (portions.all.empty()) continue;
-      const std::uint64_t in_phase = run_tasks(run_, portions.all, portions.portion_of);
-      show(run_, in_phase);
-      made += in_phase;
+      const auto before = static_cast<TriangleId>(t_.slots.size());
+      show(run_, run_tasks(run_, portions.all, portions.portion_of));
+      for (TriangleId id = before; id < t_.slots.size(); ++id) nearby_.push_back(id);
     }
-    return made;
   }
 
  private:
@@ -101,11 +102,11 @@ class CellSweep {
     return due;
   }
 
-  /// The cell, of those that are due around each cell, whose task needs the triangle; no_index if there is none. There
-  /// is at most one: the boxes of a colour are disjoint.
+  /// The cell, of those that are due around the triangle's centroid, whose task needs the triangle; no_index if there
+  /// is none. There is at most one: the boxes of a colour are disjoint.
   [[nodiscard]] Index cell_for(const Slot& slot, const Shape& shape, const Disk& disk,
-                               const std::vector<std::vector<Index>>& due) const {
-    for (const Index cell : due[tiles_.cell_of(shape.centroid())])
+                               const std::vector<Index>& due) const {
+    for (const Index cell : due)
       if (fits_box(cell, shape) && is_needed(cell, slot, shape, disk)) return cell;
     return no_index;
   }
@@ -127,40 +128,75 @@ class CellSweep {
     return false;
   }
 
-  /// The cells of a colour whose tasks would need one of these triangles beyond their boxes.
-  [[nodiscard]] std::vector<char> cells_without_room(const std::vector<std::vector<TriangleId>>& large,
-                                                     unsigned colour) const {
-    std::vector<char> found(tiles_.cells(), 0);
-    for (const std::vector<TriangleId>& of_block : large)
-      for (const TriangleId id : of_block) {
+  /// Marks cells of the colour whose tasks would need a triangle beyond their boxes. `disk`: its circumdisk.
+  void mark_without_room(TriangleId id, const Shape& shape, const Disk& disk, unsigned colour,
+                         std::vector<char>& without_room) const {
+    const Slot& slot = t_.slots[id];
+    // The cells that meet a disk are connected.
+    std::vector<Index> found;
+    const auto add = [&](Index cell) {
+      if (is_needed(cell, slot, shape, disk) && std::ranges::find(found, cell) == found.end()) found.push_back(cell);
+    };
+    add(tiles_.cell_of(disk.centre));
+    for (unsigned side = 0; side < 3; ++side)
+      if (slot.n[side].constrained())
+        add(tiles_.cell_of(middle_of(shape.p[next_corner[side]], shape.p[previous_corner[side]])));
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      if (is_due(found[i], colour) && !fits_box(found[i], shape)) without_room[found[i]] = 1;
+      for (const Index other : tiles_.touching(found[i])) add(other);
+    }
+  }
+
+  /// The triangles that a task of the sweep may need, before its first phase.
+  void find_nearby() {
+    std::vector<char> near_work(has_work_);
+    for (Index cell = 0; cell < tiles_.cells(); ++cell)
+      if (has_work_[cell] != 0)
+        for (const Index other : tiles_.touching(cell)) near_work[other] = 1;
+    std::vector<std::vector<TriangleId>> found(block_count(t_.slots.size()));
+    parallel_blocks(run_.threads, t_.slots.size(), [&](std::size_t first, std::size_t last, std::size_t block) {
+      for (std::size_t id = first; id < last; ++id) {
         const Shape shape(t_, t_.slots[id]);
-        const Disk disk = circumdisk(shape);
-        for (Index cell = 0; cell < tiles_.cells(); ++cell)
-          if (is_due(cell, colour) && !fits_box(cell, shape) && is_needed(cell, t_.slots[id], shape, disk))
-            found[cell] = 1;
+        const Index cell = tiles_.cell_of(shape.centroid());
+        if (near_work[cell] != 0 || is_large(circumdisk(shape), cell)) found[block].push_back(static_cast<Index>(id));
       }
-    return found;
+    });
+    for (const std::vector<TriangleId>& of_block : found)
+      nearby_.insert(nearby_.end(), of_block.begin(), of_block.end());
+  }
+
+  /// False only if the box of every cell that meets the disk contains the disk. `cell`: that of the centroid of the
+  /// disk's triangle.
+  [[nodiscard]] bool is_large(const Disk& disk, Index cell) const {
+    return !(disk.squared_radius <= radius_around_[cell] * radius_around_[cell]);
   }
 
   [[nodiscard]] Portions portions_of(unsigned colour) const {
     Portions portions;
     portions.portion_of.assign(t_.slots.size(), no_index);
     const std::vector<std::vector<Index>> due = due_around(colour);
-    // Only triangles with large circumradii can be needed beyond a box.
-    std::vector<std::vector<TriangleId>> large(block_count(t_.slots.size()));
-    parallel_blocks(run_.threads, t_.slots.size(), [&](std::size_t first, std::size_t last, std::size_t block) {
-      for (std::size_t id = first; id < last; ++id) {
+    std::vector<Index> cell_of(nearby_.size());
+    std::vector<std::vector<TriangleId>> large(block_count(nearby_.size()));
+    parallel_blocks(run_.threads, nearby_.size(), [&](std::size_t first, std::size_t last, std::size_t block) {
+      for (std::size_t i = first; i < last; ++i) {
+        const TriangleId id = nearby_[i];
         const Shape shape(t_, t_.slots[id]);
         const Disk disk = circumdisk(shape);
-        portions.portion_of[id] = cell_for(t_.slots[id], shape, disk, due);
-        if (!(disk.squared_radius <= least_radius_that_fits_ * least_radius_that_fits_))
-          large[block].push_back(static_cast<TriangleId>(id));
+        const Index cell = tiles_.cell_of(shape.centroid());
+        cell_of[i] = cell_for(t_.slots[id], shape, disk, due[cell]);
+        if (is_large(disk, cell)) large[block].push_back(id);
       }
     });
-    const std::vector<char> without_room = cells_without_room(large, colour);
+    std::vector<char> without_room(tiles_.cells(), 0);
+    for (const std::vector<TriangleId>& of_block : large)
+      for (const TriangleId id : of_block) {
+        const Shape shape(t_, t_.slots[id]);
+        mark_without_room(id, shape, circumdisk(shape), colour, without_room);
+      }
     std::vector<Index> portion_of_cell(tiles_.cells(), no_index);
-    for (TriangleId id = 0; id < portions.portion_of.size(); ++id) {
-      const Index cell = std::exchange(portions.portion_of[id], no_index);
+    for (std::size_t i = 0; i < nearby_.size(); ++i) {
+      const TriangleId id = nearby_[i];
+      const Index cell = cell_of[i];
       if (cell == no_index || without_room[cell] != 0) continue;
       if (portion_of_cell[cell] == no_index) {
         portion_of_cell[cell] = static_cast<Index>(portions.all.size());
@@ -177,7 +213,8 @@ class CellSweep {
   const Tiles& tiles_;
   std::vector<SubdomainCell> rectangles_;
   std::vector<char> has_work_;
-  double least_radius_that_fits_ = INFINITY;
+  std::vector<double> radius_around_;  ///< what fits the boxes of the cell and of those that touch it
+  std::vector<TriangleId> nearby_;     ///< triangles that a task of the sweep may need; with all that it makes
 };
 
 /// The lattice with cells of about the wanted work that are at least four circumradii wide.
@@ -227,7 +264,7 @@ void sweep_over_cells(MesherRun& run) {
             ? quadtree_for(run, per_task)
             : lattice_for(run,
                           expected_triangles(run.mesh.t, run.criteria, run.options.min_edge, run.threads) / per_task);
-    return CellSweep(run, tiles).run(to_split.triangles);
+    CellSweep(run, tiles).run(to_split.triangles);
   });
 }
 

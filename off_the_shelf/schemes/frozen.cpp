@@ -14,7 +14,6 @@ void sweep_with_frozen_borders(MesherRun& run) {
     const Portions portions = divide_among_leaves(run, taken, to_split, number % 3);
     const std::uint64_t made = run_tasks(run, portions.all, portions.portion_of);
     show(run, made);
-    return made;
   });
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "../../parallel/decomposition/bounding_box.hpp"
 #include "../../parallel/decomposition/quadtree.hpp"
@@ -67,16 +68,21 @@ ToSplit triangles_to_split(const MesherRun& run) {
 }
 
 void repeat_sweeps(MesherRun& run, double largest_share_left,
-                   const std::function<std::uint64_t(const ToSplit&, unsigned)>& sweep) {
+                   const std::function<void(const ToSplit&, unsigned)>& sweep) {
   double before = INFINITY;
+  bool may_retry = true;
   for (unsigned number = 0; number < run.how.most_sweeps; ++number) {
     run.threads.ask();
     const ToSplit to_split = triangles_to_split(run);
     const double left = std::accumulate(to_split.work.begin(), to_split.work.end(), 0.0);
-    if (to_split.triangles.empty() || left > largest_share_left * before) return;
+    if (to_split.triangles.empty()) return;
+    if (left > largest_share_left * before) {
+      // After breaches, the same work is tried once more, in other parts.
+      if (run.report.breaches.total() == 0 || !std::exchange(may_retry, false)) return;
+    }
     before = left;
     ++run.report.sweeps;
-    if (sweep(to_split, number) == 0) return;
+    sweep(to_split, number);
   }
 }
 

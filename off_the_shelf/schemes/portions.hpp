@@ -25,10 +25,10 @@ struct ToSplit {
 [[nodiscard]] ToSplit triangles_to_split(const MesherRun& run);
 
 /// Repeats sweep(to_split, number), number = 0, 1, ..., as often as the options of the run allow. Ends when nothing has
-/// to be split, when a sweep makes no vertex, or when one leaves more than this share of the work: then it achieves
-/// little. sweep() returns the number of new vertices.
+/// to be split, or when a sweep leaves more than this share of the work: then it achieves little. After breaches of the
+/// contract, one such sweep is repeated.
 void repeat_sweeps(MesherRun& run, double largest_share_left,
-                   const std::function<std::uint64_t(const ToSplit&, unsigned)>& sweep);
+                   const std::function<void(const ToSplit&, unsigned)>& sweep);
 
 /// All triangles of the mesh, ascending.
 [[nodiscard]] std::vector<TriangleId> all_triangles(const Triangulation& t);

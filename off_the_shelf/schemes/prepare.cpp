@@ -49,15 +49,16 @@ void add_sources(const MesherRun& run, EdgeRef e, std::vector<SizeSource>& sourc
   }
 }
 
-/// The lengths that grow from those of the segments.
-std::function<double(Point)> lengths_from_segments(const MesherRun& run, const Pslg& pslg) {
-  Goal goal;
+/// Adds lengths that grow from the final ones of the segments.
+void grow_from_segments(const MesherRun& run, const Pslg& pslg, Goal& goal) {
   goal.grading = growth_from_segments;
   const Triangulation& t = run.mesh.t;
   for (TriangleId id = 0; id < t.slots.size(); ++id)
     for (unsigned side = 0; side < 3; ++side)
       if (t.slots[id].n[side].constrained()) add_sources(run, EdgeRef(id, side), goal.sources);
-  return graded_size(goal, pslg, run.threads);
+  goal.size = graded_size(goal, pslg, run.threads);
+  goal.grading = INFINITY;
+  goal.sources.clear();
 }
 
 }  // namespace
@@ -66,13 +67,7 @@ Status prepare(MesherRun& run, const Pslg& pslg, Triangulation& t, ProgressMonit
   const double expected = expected_triangles(t, run.criteria, run.options.min_edge, run.threads);
   if (!run.criteria.has_size() || expected <= run.how.triangles_per_task) return Done{};
   Goal goal = coarse(run.goal);
-  if (split_segments) {
-    std::function<double(Point)> from_segments = lengths_from_segments(run, pslg);
-    goal.size = [everywhere = goal.size, from_segments = std::move(from_segments)](Point p) {
-      return std::min(everywhere ? everywhere(p) : INFINITY, from_segments(p));
-    };
-    goal.size_slope = std::max(goal.size_slope, growth_from_segments);
-  }
+  if (split_segments) grow_from_segments(run, pslg, goal);
   std::vector<double> caps = run.region_caps;
   for (double& cap : caps) cap *= coarseness * coarseness;
   const Criteria criteria(goal, Placement::off_centre, caps);

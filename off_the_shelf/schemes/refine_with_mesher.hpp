@@ -9,12 +9,14 @@
 
 namespace pardel::engine {
 
-/// A `usage` error if the mesher cannot serve the scheme, or if a number of `how` is not positive.
-[[nodiscard]] Status check_mesher(const MesherOptions& how, const MesherAbilities& mesher);
+/// What the mesher can do. Errors: `usage` if it cannot serve the scheme, or if a number of `how` is not positive.
+/// Throws what the mesher throws.
+[[nodiscard]] Result<MesherAbilities> checked_abilities(const SubdomainMesher& mesher, const MesherOptions& how);
 
 /// Who refines, and how.
 struct WorkWithMesher {
   SubdomainMesher& mesher;
+  MesherAbilities abilities;
   const MesherOptions& how;
   const Options& options;
   Watcher show_mesh{};     ///< see Options::after_sweep
@@ -22,8 +24,8 @@ struct WorkWithMesher {
 };
 
 /// Lets the mesher refine the domain. Afterwards it is constrained Delaunay, but need not meet the goal everywhere.
-/// Collective if there are ranks: all have the same domain before and afterwards. Precondition: check_mesher(). Throws
-/// Stopped if the run has to end.
+/// Collective if there are ranks: all have the same domain before and afterwards. Throws Stopped if
+/// the run has to end.
 [[nodiscard]] Status refine_with_mesher(DomainTriangulation& domain, const Pslg& pslg, const RunPlan& plan,
                                         const WorkWithMesher& work, ProgressMonitor& progress, MesherReport& report);
 

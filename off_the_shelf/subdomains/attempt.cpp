@@ -1,5 +1,6 @@
 #include "attempt.hpp"
 
+#include <cstring>
 #include <exception>
 #include <utility>
 
@@ -10,8 +11,12 @@
 namespace pardel::engine {
 namespace {
 
+bool same_bits(const std::vector<Point>& a, const std::vector<Point>& b) {
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Point)) == 0);
+}
+
 bool same_answer(const RefinedSubdomain& a, const RefinedSubdomain& b) {
-  return a.ending == b.ending && a.points == b.points && a.edge_of_new_point == b.edge_of_new_point &&
+  return a.ending == b.ending && same_bits(a.points, b.points) && a.edge_of_new_point == b.edge_of_new_point &&
          a.triangles == b.triangles;
 }
 
@@ -19,7 +24,7 @@ bool same_answer(const RefinedSubdomain& a, const RefinedSubdomain& b) {
 
 RefinedSubdomain MesherCaller::refine(const Subdomain& subdomain) {
   std::unique_lock<std::mutex> alone;
-  if (!mesher_.abilities().is_thread_safe) alone = std::unique_lock(one_at_a_time_);
+  if (!abilities_.is_thread_safe) alone = std::unique_lock(one_at_a_time_);
   try {
     return mesher_.refine(subdomain);
   } catch (const std::exception& e) {
@@ -33,13 +38,13 @@ void refine_part(MesherCaller& mesher, bool twice, double min_edge, Attempt& res
   const Subdomain& subdomain = result.part.subdomain;
   Stopwatch watch;
   RefinedSubdomain answer = mesher.refine(subdomain);
+  const bool is_other = twice && !same_answer(answer, mesher.refine(subdomain));
   result.mesher_seconds = watch.lap();
-  if (twice && !same_answer(answer, mesher.refine(subdomain))) {
+  if (is_other) {
     result.breach = Breach{BreachKind::other_answer, subdomain.points.front(),
                            "the same subdomain got another answer the second time"};
     return;
   }
-  watch.lap();
   result.at_limit = answer.ending == RefinedSubdomain::Ending::limit;
   Result<VerifiedSubdomain, Breach> verified = verify(subdomain, std::move(answer), result.part.lines, Floor(min_edge));
   if (verified)

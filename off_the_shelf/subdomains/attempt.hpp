@@ -23,12 +23,13 @@ struct Attempt {
 /// other if the mesher is not thread-safe.
 class MesherCaller {
  public:
-  explicit MesherCaller(SubdomainMesher& mesher) : mesher_(mesher) {}
-  [[nodiscard]] MesherAbilities abilities() const { return mesher_.abilities(); }
+  MesherCaller(SubdomainMesher& mesher, const MesherAbilities& abilities) : mesher_(mesher), abilities_(abilities) {}
+  [[nodiscard]] const MesherAbilities& abilities() const { return abilities_; }
   [[nodiscard]] RefinedSubdomain refine(const Subdomain& subdomain);
 
  private:
   SubdomainMesher& mesher_;
+  MesherAbilities abilities_;
   std::mutex one_at_a_time_;
 };
 

@@ -1,7 +1,6 @@
 #include "glue.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 #include "../../parallel/threads/parallel_for.hpp"
@@ -28,7 +27,6 @@ class Gluing {
     for (std::size_t i = 0; i < all_.size(); ++i) rename_border(i);
     std::ranges::sort(renamed_, {}, &RenamedSide::before);
     suspects_.resize(all_.size());
-    on_border_.resize(all_.size());
     parallel_for(threads_, all_.size(), [&](std::size_t i, int) {
       write_vertices(i);
       write_triangles(i);
@@ -37,9 +35,10 @@ class Gluing {
     parallel_for(threads_, all_.size(), [&](std::size_t i, int) { find_suspects(i); });
     std::vector<EdgeRef> suspects;
     for (const std::vector<EdgeRef>& found : suspects_) suspects.insert(suspects.end(), found.begin(), found.end());
+    const std::uint64_t count = suspects.size();
     std::vector<TriangleId> changed;
     restore_delaunay(t_, std::move(suspects), changed, threads_);
-    return std::accumulate(on_border_.begin(), on_border_.end(), std::uint64_t{0});
+    return count;
   }
 
  private:
@@ -151,19 +150,13 @@ class Gluing {
     return (to.x - from.x) * (b.x - a.x) + (to.y - from.y) * (b.y - a.y) > 0;
   }
 
+  /// The answers are constrained Delaunay, so only their borders are tested.
   void find_suspects(std::size_t i) {
-    for (Index local = 0; local < all_[i].answer.triangles.size(); ++local) {
-      const TriangleId id = triangle(i, local);
-      for (unsigned side = 0; side < 3; ++side) {
-        const EdgeRef outer = t_.slots[id].n[side];
-        const bool from_here = outer.none() || id < outer.triangle() || is_border(i, 3 * local + side);
-        if (!from_here || locally_delaunay(t_, EdgeRef(id, side))) continue;
-        suspects_[i].push_back(EdgeRef(id, side));
-        if (is_border(i, 3 * local + side)) ++on_border_[i];
-      }
-    }
+    const VerifiedSubdomain& answer = all_[i].answer;
+    for (Index side = 0; side < answer.across.size(); ++side)
+      if (const EdgeRef e(triangle(i, side / 3), side % 3); answer.across[side] == no_index && !locally_delaunay(t_, e))
+        suspects_[i].push_back(e);
   }
-  [[nodiscard]] bool is_border(std::size_t i, Index side) const { return all_[i].answer.across[side] == no_index; }
 
   Triangulation& t_;
   std::span<const Replacement> all_;
@@ -171,8 +164,7 @@ class Gluing {
   std::vector<VertexId> first_vertex_;
   std::vector<TriangleId> first_triangle_;
   std::vector<RenamedSide> renamed_;
-  std::vector<std::vector<EdgeRef>> suspects_;  ///< of each part: edges that are not locally Delaunay
-  std::vector<std::uint64_t> on_border_;        ///< how many of them are on the border
+  std::vector<std::vector<EdgeRef>> suspects_;  ///< of each part: edges of its border that are not locally Delaunay
 };
 
 }  // namespace

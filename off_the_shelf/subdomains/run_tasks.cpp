@@ -57,6 +57,17 @@ std::uint64_t most_points_per_task(const MesherRun& run, std::size_t tasks) {
   return most > present ? (most - present) / tasks : 0;
 }
 
+/// Throws Stopped if the mesh with these answers would have too many triangles, or take too much memory.
+void require_room(const MesherRun& run, const std::vector<Replacement>& replacements) {
+  std::uint64_t vertices = run.mesh.t.points.size(), triangles = run.mesh.t.slots.size();
+  for (const Replacement& r : replacements) {
+    vertices += r.answer.points.size() - r.part.vertices.size();
+    triangles += r.answer.triangles.size() - r.part.triangles.size();
+  }
+  if (triangles > max_engine_triangles) throw Stopped{too_many_triangles()};
+  if (outgrows_memory(vertices, run.options)) throw Stopped{too_much_memory(run.options)};
+}
+
 }  // namespace
 
 void show(const MesherRun& run, std::uint64_t made) {
@@ -68,6 +79,7 @@ void show(const MesherRun& run, std::uint64_t made) {
 
 std::uint64_t run_tasks(MesherRun& run, const std::vector<Portion>& portions, std::span<const Index> portion_of) {
   if (portions.empty()) return 0;
+  const Stopwatch in_tasks;
   const std::uint64_t most_new_points = most_points_per_task(run, portions.size());
   if (most_new_points == 0) return 0;
   // The smallest portion is refined twice, unless it is all.
@@ -98,12 +110,13 @@ std::uint64_t run_tasks(MesherRun& run, const std::vector<Portion>& portions, st
     made += each.answer->points.size() - each.part.vertices.size();
     replacements.push_back({std::move(each.part), *std::move(each.answer)});
   }
+  require_room(run, replacements);
   const Stopwatch watch;
   run.report.flipped += glue(run.mesh, replacements, run.threads);
   run.report.gluing_seconds += watch.seconds();
   run.report.inserted += made;
   ++run.report.phases;
-  if (outgrows_memory(run.mesh.t.points.size(), run.options)) throw Stopped{too_much_memory(run.options)};
+  run.seconds_in_tasks += in_tasks.seconds();
   return made;
 }
 

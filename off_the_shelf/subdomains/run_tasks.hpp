@@ -25,6 +25,7 @@ struct MesherRun {
   Threads threads;
   MesherReport& report;
   const Watcher& watcher;
+  double seconds_in_tasks = 0;  ///< of this thread, in run_tasks()
 };
 
 /// Shows the mesh to the watcher of the run, if there is one. The mesh is constrained Delaunay. `made`: the number of
@@ -34,7 +35,7 @@ void show(const MesherRun& run, std::uint64_t made);
 /// Refines each portion, all at the same time. An answer that breaks the contract is not used: its portion stays as it
 /// was. `portion_of`: for each triangle, the number of its portion, or no_index. The smallest of several
 /// portions is refined twice: two answers that differ are a breach. Returns the number of new vertices. Collective if
-/// ranks share the tasks: they exchange their answers once.
+/// ranks share the tasks: they exchange their answers once. Throws Stopped if the mesh becomes too large.
 std::uint64_t run_tasks(MesherRun& run, const std::vector<Portion>& portions, std::span<const Index> portion_of);
 
 }  // namespace pardel::engine

@@ -1,12 +1,14 @@
 #include "verify.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "../../core/support/shortest.hpp"
 #include "../../parallel/arithmetic/predicates.hpp"
+#include "flip_answer.hpp"
 #include "half_edges.hpp"
 #include "verify_points.hpp"
 
@@ -14,6 +16,11 @@ namespace pardel::engine {
 namespace {
 
 using Corners = HalfEdges::Corners;
+
+double distance_from_line(Point p, Point a, Point b) {
+  const double dx = b.x - a.x, dy = b.y - a.y;
+  return std::abs(dx * (p.y - a.y) - dy * (p.x - a.x)) / std::sqrt(dx * dx + dy * dy);
+}
 
 /// The steps of verify(). Each returns the first breach that it finds. A step relies on those before it.
 class Verification {
@@ -25,15 +32,13 @@ class Verification {
   std::optional<Breach> run() {
     for (const auto step :
          {&Verification::ending, &Verification::points, &Verification::corners, &Verification::orientations,
-          &Verification::pair_sides, &Verification::edges_that_stay, &Verification::border, &Verification::lengths})
+          &Verification::pair_sides, &Verification::edges_that_stay, &Verification::border, &Verification::flip,
+          &Verification::lengths, &Verification::distances_from_edges})
       if (std::optional<Breach> found = (this->*step)()) return found;
     return {};
   }
 
-  VerifiedSubdomain take() {
-    return {std::move(out_.points), std::move(out_.edge_of_new_point), std::move(out_.triangles), std::move(across_),
-            std::move(on_edge_)};
-  }
+  VerifiedSubdomain take() { return std::move(result_); }
 
  private:
   [[nodiscard]] std::size_t old_count() const { return in_.points.size(); }
@@ -61,6 +66,10 @@ class Verification {
   std::optional<Breach> points() { return verify_points(in_, lines_, out_, on_edges_); }
 
   std::optional<Breach> corners() {
+    if (out_.triangles.size() > 2 * out_.points.size())
+      return Breach{BreachKind::overlap, in_.points.front(),
+                    std::to_string(out_.triangles.size()) + " triangles, more than " +
+                        std::to_string(out_.points.size()) + " points can have"};
     std::vector<char> used(out_.points.size(), 0);
     for (const Corners& v : out_.triangles)
       for (const Index corner : v) {
@@ -93,16 +102,21 @@ class Verification {
     for (Index a = 0; a < out_.points.size(); ++a)
       for (const HalfEdges::Out& there : sides_->from(a)) {
         if (there.to < a) continue;
-        for (const HalfEdges::Out& back : sides_->from(there.to)) {
-          if (back.to != a) continue;
-          if (across_[there.side] != no_index || across_[back.side] != no_index) return overlap(a, there.to);
-          across_[there.side] = back.side;
-          across_[back.side] = there.side;
-        }
+        bool is_overlap = false;
+        sides_->for_each_side(there.to, a, [&](Index back) {
+          is_overlap = across_[there.side] != no_index || across_[back] != no_index;
+          across_[there.side] = back;
+          across_[back] = there.side;
+          return is_overlap;
+        });
+        if (is_overlap) return overlap(a, there.to);
       }
-    for (Index side = 0; side < across_.size(); ++side)
-      if (across_[side] == no_index && sides_->find(start_of(side), end_of(side)) != side)
-        return overlap(start_of(side), end_of(side));
+    for (Index side = 0; side < across_.size(); ++side) {
+      if (across_[side] != no_index) continue;
+      int count = 0;
+      sides_->for_each_side(start_of(side), end_of(side), [&](Index) { return ++count > 1; });
+      if (count > 1) return overlap(start_of(side), end_of(side));
+    }
     return {};
   }
   [[nodiscard]] Breach overlap(Index a, Index b) const {
@@ -146,15 +160,44 @@ class Verification {
     return {};
   }
 
+  /// Two points can lie close to each other without an edge between them. In the constrained Delaunay triangulation,
+  /// there is one.
+  std::optional<Breach> flip() {
+    sides_.reset();  // it belongs to the triangles before the flips
+    result_ = {std::move(out_.points), std::move(out_.edge_of_new_point), std::move(out_.triangles), std::move(across_),
+               std::move(on_edge_)};
+    flip_to_delaunay(result_);
+    return {};
+  }
+
+  [[nodiscard]] Index corner_of(Index side, Index k) const { return result_.triangles[side / 3][(side + k) % 3]; }
+
+  /// The least distance of a new point from others. Above the floor of double precision, so that the refiner that
+  /// completes the mesh has room around it.
+  [[nodiscard]] double room_at(Point p) const { return 8 * Floor(0).at(p); }
+
   std::optional<Breach> lengths() {
-    for (Index side = 0; side < across_.size(); ++side) {
-      if (across_[side] < side) continue;  // tested from the other side
-      const Index newest = std::max(start_of(side), end_of(side));
+    for (Index side = 0; side < result_.across.size(); ++side) {
+      if (result_.across[side] < side) continue;  // tested from the other side
+      const Index from = corner_of(side, 1), to = corner_of(side, 2), newest = std::max(from, to);
       if (newest < old_count()) continue;
-      const Point from = at(start_of(side)), to = at(end_of(side));
-      const double dx = to.x - from.x, dy = to.y - from.y;
-      if (!(dx * dx + dy * dy >= (1 - 0x1p-39) * floor_.squared_at(at(newest))))
-        return Breach{BreachKind::too_short_edge, from, text_of_edge(from, to) + " is too short"};
+      const Point a = result_.points[from], b = result_.points[to], p = result_.points[newest];
+      const double dx = b.x - a.x, dy = b.y - a.y, least = std::max(floor_.at(p), room_at(p));
+      if (!(dx * dx + dy * dy >= (1 - 0x1p-39) * least * least))
+        return Breach{BreachKind::too_short_edge, a, text_of_edge(a, b) + " is too short"};
+    }
+    return {};
+  }
+
+  /// A new point close to an edge that stays has no short edge. Of all points near the edge, the corner of the triangle
+  /// at it is the nearest one, up to a constant factor.
+  std::optional<Breach> distances_from_edges() {
+    for (Index side = 0; side < result_.on_edge.size(); ++side) {
+      if (result_.on_edge[side] == no_index || corner_of(side, 0) < old_count()) continue;
+      const Point p = result_.points[corner_of(side, 0)], a = result_.points[corner_of(side, 1)],
+                  b = result_.points[corner_of(side, 2)];
+      if (distance_from_line(p, a, b) < room_at(p))
+        return Breach{BreachKind::too_near_edge, p, shortest(p) + " is too close to " + text_of_edge(a, b)};
     }
     return {};
   }
@@ -166,6 +209,7 @@ class Verification {
   std::vector<PointOnEdge> on_edges_;
   std::optional<HalfEdges> sides_;
   std::vector<Index> across_, on_edge_;
+  VerifiedSubdomain result_;
 };
 
 }  // namespace

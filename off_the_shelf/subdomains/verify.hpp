@@ -12,7 +12,8 @@
 
 namespace pardel::engine {
 
-/// An answer that keeps the contract, with what verification has found out. A side has the number 3 * triangle + i.
+/// An answer that keeps the contract, made constrained Delaunay, with what verification has found out. A side has the
+/// number 3 * triangle + i.
 struct VerifiedSubdomain {
   std::vector<Point> points;             ///< those on edges are moved onto the lines of the edges
   std::vector<Index> edge_of_new_point;  ///< as in RefinedSubdomain
@@ -27,7 +28,9 @@ struct VerifiedSubdomain {
 ///   subdomain. Then they cover the subdomain once: the number of triangles over a place is the winding number of the
 ///   border, which has not changed.
 /// - All edges that must stay are there, and the frozen ones whole.
-/// - No new edge is shorter than the floor, so only a bounded number of points can be inserted.
+/// - After flips to the constrained Delaunay triangulation, no new edge is shorter than the floor, and no new point is
+///   nearer than 8 times the floor of double precision to another point or to an edge that must stay. So only a
+///   bounded number of points can be inserted, and pardel's own refiner has room to complete the mesh.
 /// `lines`: for each edge of the subdomain, the line on which its new points have to lie. O(n) for n triangles, if
 /// vertices have few neighbours.
 [[nodiscard]] Result<VerifiedSubdomain, Breach> verify(const Subdomain& subdomain, RefinedSubdomain&& answer,

@@ -2,10 +2,17 @@
 // that nobody reads or writes hold a command in a step.
 #include <sys/stat.h>
 
+#include <filesystem>
+#include <string>
+
+#include "../is_gone.hpp"
+#include "../with_variable.hpp"
 #include "program.hpp"
 
 namespace pardel::testing {
 namespace {
+
+namespace fs = std::filesystem;
 
 class Stopping : public Workshop {
  protected:
@@ -48,6 +55,18 @@ TEST_F(Stopping, interrupts_mesh_while_it_refines) {
   expect_stop({"mesh", "square.poly", "-o", "out.vtu", "-o", "out.node", "--max-area", "5e-8", "--interior", "refine",
                "--progress", "always"},
               {.interrupt_when = "triangles"});
+}
+
+TEST_F(Stopping, interrupts_mesh_while_a_sequential_mesher_works_and_leaves_no_process_and_no_folder) {
+  // The program stops its parent, and would then go on for ever.
+  write("stopper", "#!/bin/sh\necho $$ > stopper.pid\nkill -INT $PPID\nexec sleep 600\n");
+  fs::permissions(folder_ / "work" / "stopper", fs::perms::owner_all);
+  fs::create_directory(folder_ / "work" / "temporary");
+  const WithVariable temporary("TMPDIR", folder_ / "work" / "temporary");
+  start_.insert({"stopper", "stopper.pid", "temporary"});
+  expect_stop({"mesh", "square.poly", "-o", "out.vtu", "--max-area", "1e-3", "--mesher", "./stopper {mesh}"}, {});
+  EXPECT_TRUE(fs::is_empty(folder_ / "work" / "temporary"));
+  EXPECT_TRUE(is_gone(read("stopper.pid")));
 }
 
 TEST_F(Stopping, interrupts_mesh_while_it_checks) {

@@ -1,6 +1,7 @@
 // Meshers that break the contract, each in its own way.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <memory>
@@ -100,10 +101,28 @@ class BadMesher final : public SubdomainMesher {
       case BreachKind::too_short_edge:
         split_triangle(answer, inside(answer, 1e-14));
         return;
+      case BreachKind::too_near_edge:
+        split_triangle_near_edge(subdomain, answer);
+        return;
       case BreachKind::other_answer:
         if (number % 2 == 1) answer.points.push_back({});
         return;
     }
+  }
+
+  /// Inserts a point just beside an edge of the subdomain, far from its ends.
+  static void split_triangle_near_edge(const Subdomain& subdomain, RefinedSubdomain& answer) {
+    for (auto& v : answer.triangles)
+      for (const SubdomainEdge& e : subdomain.edges) {
+        if (!has_edge(v, e)) continue;
+        while (v[0] != e.a) std::rotate(v.begin(), v.begin() + 1, v.end());
+        std::swap(v, answer.triangles.front());
+        const auto& [a, b, c] = answer.triangles.front();
+        const Point p = answer.points[a], q = answer.points[b], apex = answer.points[c];
+        const Point middle{(p.x + q.x) / 2, (p.y + q.y) / 2};
+        split_triangle(answer, {middle.x + 1e-13 * (apex.x - middle.x), middle.y + 1e-13 * (apex.y - middle.y)});
+        return;
+      }
   }
 
   /// Removes a triangle at the border, so that an edge is lost, or one inside, so that edges are open.

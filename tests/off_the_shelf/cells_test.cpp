@@ -94,7 +94,7 @@ CellsRun some_run_over_cells(properties::Exhibit& exhibit) {
   const MesherOptions how{.scheme = Scheme::cells, .triangles_per_task = *rc::gen::element(10U, 40U)};
   const std::vector<double> no_caps;
   const Watcher no_watcher;
-  MesherCaller caller(mesher);
+  MesherCaller caller(mesher, mesher.abilities());
   MesherRun run{result.worked->mesh(),
                 result.worked->goal(),
                 result.worked->criteria(),

@@ -63,6 +63,35 @@ TEST(OffTheShelf, names_the_exception_of_a_mesher) {
   EXPECT_EQ(made->mesher.breaches.first[0].what, "out of ideas");
 }
 
+TEST(OffTheShelf, tries_once_more_after_a_sweep_that_achieved_nothing) {
+  /// Fails at first, then works.
+  class Late final : public SubdomainMesher {
+   public:
+    explicit Late(std::uint64_t failures) : failures_(failures) {}
+    [[nodiscard]] MesherAbilities abilities() const override { return own_->abilities(); }
+    [[nodiscard]] RefinedSubdomain refine(const Subdomain& subdomain) override {
+      if (calls_++ >= failures_) return own_->refine(subdomain);
+      RefinedSubdomain answer;
+      answer.ending = RefinedSubdomain::Ending::failed;
+      return answer;
+    }
+
+   private:
+    std::uint64_t failures_, calls_ = 0;
+    std::unique_ptr<SubdomainMesher> own_ = own_mesher();
+  };
+  for (const Scheme scheme : {Scheme::frozen, Scheme::cells}) {
+    Late never(UINT64_MAX);
+    const MesherReport hopeless = run(never, scheme)->mesher;
+    EXPECT_EQ(hopeless.sweeps, 2U);
+    EXPECT_EQ(hopeless.inserted, 0U);
+    Late late(hopeless.tasks / 2 + 1);
+    const Result<MeshedWithMesher> made = run(late, scheme);
+    EXPECT_GT(made->mesher.inserted, made->mesher.completed);
+    EXPECT_TRUE(check(square().pslg(), made->mesh, goal).valid);
+  }
+}
+
 TEST(OffTheShelf, makes_one_mesh_on_any_number_of_threads) {
   for (const Scheme scheme : {Scheme::frozen, Scheme::cells, Scheme::decoupled}) {
     const auto mesher = own_mesher();

@@ -4,7 +4,9 @@
 
 #include "../../off_the_shelf/own_mesher.hpp"
 #include "../../off_the_shelf/subdomains/glue.hpp"
+#include "../../off_the_shelf/subdomains/half_edges.hpp"
 #include "../../off_the_shelf/subdomains/verify.hpp"
+#include "../../parallel/arithmetic/predicates.hpp"
 #include "../../properties/comparison/all_arrays.hpp"
 #include "some_part.hpp"
 
@@ -268,6 +270,113 @@ PARDEL_PROPERTY(Part, with_a_triangle_twice_is_refused,
   std::rotate(triangle.begin(), triangle.begin() + *rc::gen::inRange(0, 3), triangle.end());
   answered.answer.triangles.push_back(triangle);
   require_breach(verified(answered.part, std::move(answered.answer)), BreachKind::overlap);
+}
+
+/// A point that is this part of the way from the middle of an edge to another point.
+Point beside(Point a, Point b, Point towards, double part) {
+  const Point m = middle(a, b);
+  return {m.x + part * (towards.x - m.x), m.y + part * (towards.y - m.y)};
+}
+bool is_left(Point a, Point b, Point p) { return orient2d(a, b, p) > 0; }
+
+/// The triangles of a part across an edge that need not stay: (a, b, c) and (b, a, d).
+struct Quadrilateral {
+  std::size_t left, right;
+  Index a, b, c, d;
+};
+std::vector<Quadrilateral> quadrilaterals(const Subdomain& subdomain, const RefinedSubdomain& answer) {
+  std::vector<Quadrilateral> found;
+  const HalfEdges sides(answer.triangles, answer.points.size());
+  for (std::size_t t = 0; t < answer.triangles.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto& v = answer.triangles[t];
+      const Index a = v[k], b = v[(k + 1) % 3], back = sides.find(b, a);
+      const bool stays = std::ranges::any_of(
+          subdomain.edges, [&](const SubdomainEdge& e) { return (e.a == a && e.b == b) || (e.a == b && e.b == a); });
+      if (back == no_index || stays || b < a) continue;
+      found.push_back({t, back / 3, a, b, v[(k + 2) % 3], answer.triangles[back / 3][back % 3]});
+    }
+  return found;
+}
+
+PARDEL_PROPERTY(Part, with_close_points_is_refused_even_without_an_edge_between_them,
+                {.statement = "Two new points just beside an edge, one on each side, are refused, although all edges "
+                              "of the answer are long: after flips, one is not.",
+                 .source = source,
+                 .families = families}) {
+  const auto worked = some_worked_domain(exhibit);
+  const Part part = worked->part(some_triangles(worked->domain().triangulation));
+  RefinedSubdomain answer = unchanged(part.subdomain);
+  const auto all = quadrilaterals(part.subdomain, answer);
+  RC_PRE(!all.empty());
+  const Quadrilateral q = all[some_index(all)];
+  const Point a = answer.points[q.a], b = answer.points[q.b];
+  const double close = *rc::gen::element(0x1p-44, 0x1p-46, 0x1p-48);
+  const Point left = beside(a, b, answer.points[q.c], close), right = beside(a, b, answer.points[q.d], close);
+  RC_PRE(is_left(a, b, left) && is_left(b, a, right));
+  split_triangle(answer, static_cast<Index>(q.left), left);
+  split_triangle(answer, static_cast<Index>(q.right), right);
+  require_breach(verified(part, std::move(answer)), BreachKind::too_short_edge);
+}
+
+PARDEL_PROPERTY(Part, with_a_point_close_to_an_edge_that_stays_is_refused,
+                {.statement = "A new point just beside an edge that must stay is refused, although it is far from "
+                              "all other points.",
+                 .source = source,
+                 .families = families}) {
+  const auto worked = some_worked_domain(exhibit);
+  const Part part = worked->part(some_triangles(worked->domain().triangulation));
+  RefinedSubdomain answer = unchanged(part.subdomain);
+  const SubdomainEdge& e = part.subdomain.edges[some_index(part.subdomain.edges)];
+  const Index side = HalfEdges(answer.triangles, answer.points.size()).find(e.a, e.b);
+  const Point a = answer.points[e.a], b = answer.points[e.b],
+              apex = answer.points[answer.triangles[side / 3][side % 3]];
+  const Point p = beside(a, b, apex, *rc::gen::element(0x1p-44, 0x1p-46, 0x1p-48));
+  RC_PRE(is_left(a, b, p));
+  split_triangle(answer, side / 3, p);
+  require_breach(verified(part, std::move(answer)), BreachKind::too_near_edge);
+}
+
+PARDEL_PROPERTY(Part, with_other_triangles_becomes_constrained_delaunay,
+                {.statement = "An answer whose triangulation is another one of the same points becomes the constrained "
+                              "Delaunay triangulation, and its neighbours fit each other.",
+                 .source = "off_the_shelf/subdomains/verify.hpp",
+                 .families = families}) {
+  Answered answered = some_answer(exhibit);
+  RefinedSubdomain& answer = answered.answer;
+  int flips = 0;
+  for (int i = *rc::gen::inRange(1, 8); i > 0; --i) {
+    const auto all = quadrilaterals(answered.part.subdomain, answer);
+    RC_PRE(!all.empty());
+    const Quadrilateral q = all[some_index(all)];
+    const auto at = [&](Index v) { return answer.points[v]; };
+    if (!is_left(at(q.d), at(q.b), at(q.c)) || !is_left(at(q.a), at(q.d), at(q.c))) continue;
+    // Pieces of split segments must stay, too.
+    const auto is_on_edge = [&](Index v) {
+      return v >= answered.part.subdomain.points.size() &&
+             answer.edge_of_new_point[v - answered.part.subdomain.points.size()] != no_index;
+    };
+    if (is_on_edge(q.a) || is_on_edge(q.b)) continue;
+    answer.triangles[q.left] = {q.d, q.b, q.c};
+    answer.triangles[q.right] = {q.a, q.d, q.c};
+    ++flips;
+  }
+  RC_TAG(flips > 0 ? "other triangles" : "the same triangles");
+  const Verified result = verified(answered.part, std::move(answer));
+  if (!result) RC_FAIL(result.error().what);
+  const VerifiedSubdomain& made = *result;
+  for (Index side = 0; side < made.across.size(); ++side) {
+    const auto& v = made.triangles[side / 3];
+    RC_ASSERT(is_left(made.points[v[0]], made.points[v[1]], made.points[v[2]]));
+    const Index across = made.across[side];
+    if (across == no_index) continue;
+    const auto& w = made.triangles[across / 3];
+    RC_ASSERT(made.across[across] == side);
+    RC_ASSERT(made.on_edge[across] == made.on_edge[side]);
+    RC_ASSERT(v[(side + 1) % 3] == w[(across % 3 + 2) % 3] && v[(side % 3 + 2) % 3] == w[(across + 1) % 3]);
+    if (made.on_edge[side] == no_index)
+      RC_ASSERT(!(incircle(made.points[v[0]], made.points[v[1]], made.points[v[2]], made.points[w[across % 3]]) > 0));
+  }
 }
 
 PARDEL_PROPERTY(Part, with_a_missing_triangle_is_refused,

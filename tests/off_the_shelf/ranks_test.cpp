@@ -139,8 +139,8 @@ PARDEL_PROPERTY(OffTheShelf, ranks_exchange_once_per_phase,
     if (!plan) throw Stopped{plan.error()};
     const auto mesher = own_mesher();
     MesherReport report;
-    const Status done = engine::refine_with_mesher(*domain, valid->pslg(), *plan, {*mesher, how, options, {}, &ranks},
-                                                   progress, report);
+    const Status done = engine::refine_with_mesher(
+        *domain, valid->pslg(), *plan, {*mesher, mesher->abilities(), how, options, {}, &ranks}, progress, report);
     if (!done) throw Stopped{done.error()};
     if (ranks.rank() != 0) return;
     first = report;

@@ -1,5 +1,6 @@
 // Whole runs with a sequential mesher: every run ends with a certified mesh, whatever the mesher does.
 #include <algorithm>
+#include <cmath>
 
 #include "../../core/digest.hpp"
 #include "../../properties/comparison/all_arrays.hpp"
@@ -8,6 +9,9 @@
 
 namespace pardel::properties {
 namespace {
+
+constexpr const char* source_of_floor =
+    "off_the_shelf/subdomain_mesher.hpp, Subdomain::min_edge; THEORY.md, Refinement";
 
 PARDEL_PROPERTY(
     OffTheShelf, runs_make_a_mesh_that_the_checker_certifies,
@@ -83,6 +87,32 @@ PARDEL_PROPERTY(OffTheShelf, runs_split_no_segment_that_is_kept,
                        {.threads = 1, .max_vertices = 5000, .no_segment_splits = true});
   if (!made) RC_FAIL(made.error().message);
   for (const Index origin : made->mesh.origin) RC_ASSERT(origin == interior_vertex || origin == input_vertex);
+}
+
+PARDEL_PROPERTY(
+    OffTheShelf, runs_make_no_edge_below_the_floor,
+    {.statement = "With cells, no edge at a new vertex is shorter than min_edge. With frozen borders, edges across "
+                  "them are not much shorter.",
+     .source = source_of_floor,
+     .families = shelf_families}) {
+  const Problem problem = some_fine_problem(exhibit);
+  const auto mesher = own_mesher();
+  const auto valid = validate(problem.pslg);
+  RC_ASSERT(valid.ok());
+  const Scheme scheme = some_scheme();
+  const double least_part = scheme == Scheme::cells ? 1 - 1e-9 : 0.1;
+  const double min_edge = extent_of(problem.pslg) / *rc::gen::inRange(10, 100);
+  const Result<MeshedWithMesher> made =
+      mesh_with_mesher(*valid, problem.goal, *mesher, small_tasks(scheme), {.threads = 1, .min_edge = min_edge});
+  if (!made) RC_FAIL(made.error().message);
+  const Mesh& mesh = made->mesh;
+  for (const Triangle& t : mesh.triangles)
+    for (unsigned i = 0; i < 3; ++i) {
+      const Index a = t.v[i], b = t.v[(i + 1) % 3];
+      if (std::max(a, b) < problem.pslg.points.size()) continue;
+      const Point p = mesh.points[a], q = mesh.points[b];
+      RC_ASSERT(std::hypot(p.x - q.x, p.y - q.y) >= least_part * min_edge);
+    }
 }
 
 PARDEL_PROPERTY(OffTheShelf, runs_keep_a_limit_on_vertices,

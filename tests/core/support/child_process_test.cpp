@@ -6,9 +6,8 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
-#include <fstream>
-#include <thread>
 
+#include "../../is_gone.hpp"
 #include "../../temporary_folder.hpp"
 
 namespace pardel {
@@ -17,16 +16,6 @@ namespace {
 using namespace std::chrono_literals;
 
 bool never() { return false; }
-
-/// Waits until the process has ended. A zombie counts as ended, because its new parent may reap it later.
-bool is_gone(const std::string& process) {
-  for (int tries = 0; tries < 1000; ++tries, std::this_thread::sleep_for(10ms)) {
-    std::ifstream stat("/proc/" + process.substr(0, process.find('\n')) + "/stat");
-    std::string id, name, state;
-    if (!(stat >> id >> name >> state) || state == "Z" || state == "X") return true;
-  }
-  return false;
-}
 
 class ChildProcess : public ::testing::Test {
  protected:
