@@ -18,6 +18,7 @@ void add_mesher_options(CLI::App& app, MesherArguments& arguments) {
                      "Let a sequential mesher refine the mesh part by part, on all threads: own,\n"
                      "triangle, pardel-triangle, or a command with {mesh} or {poly}; every answer is\n"
                      "verified (docs/off-the-shelf.md)")
+          ->check(CLI::Validator([](const std::string& name) { return name.empty() ? "it is empty" : ""; }, ""))
           ->type_name("NAME|COMMAND")
           ->group(group);
   app.add_option("--scheme", arguments.how.scheme,
@@ -44,9 +45,10 @@ void add_mesher_options(CLI::App& app, MesherArguments& arguments) {
 
 Status check_use(const MesherArguments& arguments, const Options& options, bool has_cells) {
   if (arguments.name.empty()) return Done{};
-  for (const auto& [name, given] : {std::pair{"--interior fill", options.interior == Interior::fill},
-                                    std::pair{"--decomposition", options.decomposition != Decomposition::automatic},
-                                    std::pair{"--cells", has_cells}})
+  for (const auto& [name, given] :
+       {std::pair{"--interior fill", options.interior == Interior::fill},
+        std::pair{"--decomposition", options.decomposition != Decomposition::automatic},
+        std::pair{"--placement", options.placement != Placement::automatic}, std::pair{"--cells", has_cells}})
     if (given) return Error{ErrorKind::usage, std::string("--mesher cannot be used with ") + name};
   return Done{};
 }

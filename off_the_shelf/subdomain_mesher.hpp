@@ -41,7 +41,8 @@ struct Subdomain {
   /// If given, new points have to lie in this cell: the rule of the paper's lattice. Everything that would need a point
   /// elsewhere stays as it is.
   std::optional<SubdomainCell> cell;
-  /// No new edge may be shorter. In the mesh, edges that cross frozen borders can be somewhat shorter.
+  /// No new edge may be shorter. In the mesh, edges that cross frozen borders can be somewhat shorter. New points must
+  /// also keep a distance of 2^-39 times their larger coordinate, from other points and from edges that stay.
   double min_edge = 0;
   std::size_t most_new_points = 0;  ///< the most points that may be inserted
   double seconds = 0;               ///< the time in which the answer has to come

@@ -21,6 +21,7 @@
 #include "partial_files.hpp"
 #include "shell_words.hpp"
 #include "short_lived.hpp"
+#include "shortened.hpp"
 
 namespace pardel {
 namespace {
@@ -113,6 +114,8 @@ ChildRun run_child(const std::vector<std::string>& words, const std::filesystem:
 }
 
 std::string telling_line(const std::filesystem::path& log, const std::filesystem::path& folder) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(log, error)) return "";  // a pipe would never end
   std::ifstream in(log);
   std::string telling;
   for (std::string line; std::getline(in, line);) {
@@ -120,7 +123,7 @@ std::string telling_line(const std::filesystem::path& log, const std::filesystem
     if (line.find_first_not_of(' ') != std::string::npos) telling = line;
     if (line.find("rror") != std::string::npos) break;
   }
-  return replaced(telling, folder.string() + '/', "");
+  return shortened(replaced(telling, folder.string() + '/', ""));
 }
 
 std::string signal_name(int signal) {

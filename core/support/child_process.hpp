@@ -39,7 +39,8 @@ struct ChildRun {
                                  const ChildLimits& limits, const std::function<bool()>& stop);
 
 /// Of what a program has written to its log: the first line that contains "error", otherwise the last line that is not
-/// blank; without control characters. File names are shown without `folder`.
+/// blank; without control characters, and not more than some hundred characters of it. File names are shown without
+/// `folder`. Empty if the log is not a regular file.
 [[nodiscard]] std::string telling_line(const std::filesystem::path& log, const std::filesystem::path& folder);
 
 /// The name of a signal, such as "SIGSEGV".

@@ -8,8 +8,8 @@
 
 namespace pardel {
 
-/// make() creates the folder in the system's folder for temporary files. The destructor removes it with its contents; so
-/// does a process that ends early, unless it is killed (short_lived.hpp).
+/// make() creates the folder in the system's folder for temporary files. The destructor removes it with its contents;
+/// so does a process that ends early, unless it is killed (short_lived.hpp).
 class WorkFolder {
  public:
   WorkFolder() = default;

@@ -6,14 +6,13 @@
 #include "../../parallel/refinement/task.hpp"
 #include "../subdomains/box_of.hpp"
 #include "../subdomains/half_edges.hpp"
+#include "../subdomains/room.hpp"
 
 namespace pardel {
 
 using namespace engine;
 
 namespace {
-
-/// Thrown when the time of a task is over.
 
 constexpr int frozen_marker = 1, free_marker = 2;
 
@@ -87,7 +86,8 @@ class OwnMesher final : public SubdomainMesher {
     goal.region_caps = !in.caps.empty();
     const Criteria criteria(goal, Placement::off_centre, in.caps);
     Options options;
-    options.min_edge = subdomain.min_edge;
+    const Box box = box_of(subdomain);
+    options.min_edge = std::max({subdomain.min_edge, room_at({box.min_x, box.min_y}), room_at({box.max_x, box.max_y})});
     options.kept_markers = {frozen_marker};
     const Assessor assessor(t, in.segments, criteria, options);
 
@@ -104,7 +104,7 @@ class OwnMesher final : public SubdomainMesher {
     t.slots.resize_uninitialised(triangles + 2 * most);
     if (!t.region.empty()) t.region.resize_uninitialised(triangles + 2 * most);
     const Tiles tiles = tiles_for(subdomain);
-    Task task(t, assessor, criteria, subdomain.min_edge, subdomain.cell.has_value());
+    Task task(t, assessor, criteria, options.min_edge, subdomain.cell.has_value());
     RefinedSubdomain answer;
     // The limit on new points ends the task; a limit on time would let the mesh depend on the speed of the machine.
     const TaskResult done = task.run(tiles, tiles.cells() / 2, seeds, {}, free, [](std::uint64_t) {});

@@ -128,9 +128,21 @@ class ProgramTask {
     std::error_code ignored;
     if (!fs::exists(out(), ignored))
       return without_triangles(Answer::unreadable, said_after("it did not write " + out().filename().string()));
+    if (const std::string odd = not_a_file(); !odd.empty())
+      return without_triangles(Answer::unreadable, odd + " is not a regular file");
     const Result<Mesh> mesh = read_mesh(out());
     if (!mesh) return without_triangles(Answer::unreadable, replaced(mesh.error().message, folder_.string() + '/', ""));
     return answer_of(*mesh, subdomain_);
+  }
+
+  /// The name of an answer's file that is a pipe, a device or the like, which might never end; empty if there is none.
+  [[nodiscard]] std::string not_a_file() const {
+    std::error_code error;
+    for (fs::directory_iterator file(folder_, error), end; !error && file != end; file.increment(error)) {
+      const std::string name = file->path().filename().string();
+      if (name.starts_with("part.1.") && !file->is_regular_file(error)) return name;
+    }
+    return "";
   }
 
   /// What has happened, and the words of the program.

@@ -6,10 +6,12 @@
 #include <string>
 #include <utility>
 
+#include "../../core/support/shortened.hpp"
 #include "../../core/support/shortest.hpp"
 #include "../../parallel/arithmetic/predicates.hpp"
 #include "flip_answer.hpp"
 #include "half_edges.hpp"
+#include "room.hpp"
 #include "verify_points.hpp"
 
 namespace pardel::engine {
@@ -51,13 +53,13 @@ class Verification {
     const Point where = in_.points.empty() ? Point{} : in_.points.front();
     switch (out_.ending) {
       case Ending::failed:
-        return Breach{BreachKind::failed, where, out_.why};
+        return Breach{BreachKind::failed, where, shortened(out_.why)};
       case Ending::crashed:
-        return Breach{BreachKind::crashed, where, out_.why};
+        return Breach{BreachKind::crashed, where, shortened(out_.why)};
       case Ending::timed_out:
-        return Breach{BreachKind::timed_out, where, out_.why};
+        return Breach{BreachKind::timed_out, where, shortened(out_.why)};
       case Ending::unreadable:
-        return Breach{BreachKind::unreadable, where, out_.why};
+        return Breach{BreachKind::unreadable, where, shortened(out_.why)};
       default:
         return {};
     }
@@ -171,10 +173,6 @@ class Verification {
   }
 
   [[nodiscard]] Index corner_of(Index side, Index k) const { return result_.triangles[side / 3][(side + k) % 3]; }
-
-  /// The least distance of a new point from others. Above the floor of double precision, so that the refiner that
-  /// completes the mesh has room around it.
-  [[nodiscard]] double room_at(Point p) const { return 8 * Floor(0).at(p); }
 
   std::optional<Breach> lengths() {
     for (Index side = 0; side < result_.across.size(); ++side) {

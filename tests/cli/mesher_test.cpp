@@ -67,11 +67,12 @@ TEST_F(Mesher, that_does_not_exist_is_a_usage_error) {
 
 TEST_F(Mesher, excludes_what_it_has_no_use_for) {
   for (const auto& [option, value] : std::vector<std::pair<std::string, std::string>>{
-           {"--interior", "fill"}, {"--decomposition", "lattice"}, {"--cells", "2,2"}}) {
+           {"--interior", "fill"}, {"--decomposition", "lattice"}, {"--cells", "2,2"}, {"--placement", "search"}}) {
     const std::string name = option == "--interior" ? "--interior fill" : option;
     expect_usage_error({"--max-area", "1e-3", "--mesher", "own", option, value},
                        "--mesher cannot be used with " + name);
   }
+  expect_usage_error({"--mesher", ""}, "--mesher: it is empty");
   expect_usage_error({"--mesher", "own", "--refine"}, "--mesher cannot be used with --refine");
   expect_usage_error({"--scheme", "cells"}, "--scheme requires --mesher");
   expect_usage_error({"--mesher", "pardel-triangle", "--scheme", "cells"},

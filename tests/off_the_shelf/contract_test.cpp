@@ -1,6 +1,7 @@
 // Each way to break the contract is caught and named, and the run ends with a certified mesh.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -90,6 +91,20 @@ TEST(OffTheShelf, tries_once_more_after_a_sweep_that_achieved_nothing) {
     EXPECT_GT(made->mesher.inserted, made->mesher.completed);
     EXPECT_TRUE(check(square().pslg(), made->mesh, goal).valid);
   }
+}
+
+TEST(OffTheShelf, splits_borders_to_pieces_that_keep_the_floor) {
+  constexpr double min_edge = 0.015;
+  const auto mesher = own_mesher();
+  const Result<MeshedWithMesher> made =
+      mesh_with_mesher(square(), {.max_area = 1e-4}, *mesher, {.scheme = Scheme::decoupled, .triangles_per_task = 50},
+                       {.threads = 1, .min_edge = min_edge});
+  ASSERT_TRUE(made.ok());
+  for (const Triangle& t : made->mesh.triangles)
+    for (unsigned i = 0; i < 3; ++i) {
+      const Point a = made->mesh.points[t.v[i]], b = made->mesh.points[t.v[(i + 1) % 3]];
+      EXPECT_GE(std::hypot(a.x - b.x, a.y - b.y), 0.9 * min_edge);
+    }
 }
 
 TEST(OffTheShelf, makes_one_mesh_on_any_number_of_threads) {

@@ -246,6 +246,26 @@ TEST_F(ProgramMesher, keeps_edges_and_splits_no_segment) {
   EXPECT_FALSE(able.obeys_cell || able.splits_segments || able.exempts_small_angles);
 }
 
+TEST_F(ProgramMesher, that_writes_a_pipe_or_a_link_to_a_device_is_unreadable) {
+  const std::string node = "cp \"$1.node\" \"$1.1.node\"; ", ele = "cp \"$1.ele\" \"$1.1.ele\"; ";
+  ends(script(node + "mkfifo \"$1.1.ele\""), Ending::unreadable, "part.1.ele is not a regular file");
+  ends(script(ele + "mkfifo \"$1.1.node\""), Ending::unreadable, "part.1.node is not a regular file");
+  ends(script(node + "ln -s /dev/zero \"$1.1.ele\""), Ending::unreadable, "part.1.ele is not a regular file");
+}
+
+TEST_F(ProgramMesher, whose_log_is_a_pipe_or_very_long_is_named_all_the_same) {
+  ends(script("rm \"$(dirname \"$1\")/log\"; mkfifo \"$(dirname \"$1\")/log\"; exit 3"), Ending::crashed,
+       "exit code 3");
+  ends(script("head -c 400000 /dev/zero | tr '\\0' x; exit 3"), Ending::crashed,
+       "exit code 3: " + std::string(300, 'x') + "...");
+}
+
+TEST_F(ProgramMesher, that_locks_its_folder_leaves_nothing) {
+  ends(script("mkdir \"$1.cache\"; touch \"$1.cache/file\"; chmod 500 \"$1.cache\"; exit 3"), Ending::crashed,
+       "exit code 3");
+  ends(script("chmod 000 \"$(dirname \"$1\")\"; exit 3"), Ending::crashed, "exit code 3");
+}
+
 TEST_F(ProgramMesher, has_a_name_if_it_is_known) {
   EXPECT_EQ(named_programs(), (std::vector<std::string>{"triangle", "pardel-triangle"}));
   for (const std::string& name : named_programs()) EXPECT_TRUE(named_program(name).has_value()) << name;
