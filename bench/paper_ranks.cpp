@@ -24,7 +24,7 @@ namespace {
 
 Result<MeshPiece> piece_with_mesher(const Pslg& pslg, const Goal& goal, const std::string& mesher,
                                     const std::string& scheme, Ranks& ranks) {
-  const std::unique_ptr<SubdomainMesher> found = mesher_for(mesher, 1);
+  const std::unique_ptr<SubdomainMesher> found = mesher_for(mesher, 1, goal);
   const std::optional<Scheme> how = scheme_named(scheme);
   if (found == nullptr || !how) return Error{ErrorKind::usage, "no such mesher or scheme"};
   Result<PieceWithMesher> made =

@@ -77,7 +77,7 @@ struct Settings {
 };
 
 Timed run_with_mesher(const Pslg& pslg, const Goal& goal, const Settings& settings, int threads) {
-  const std::unique_ptr<SubdomainMesher> mesher = mesher_for(settings.mesher, threads);
+  const std::unique_ptr<SubdomainMesher> mesher = mesher_for(settings.mesher, threads, goal);
   const std::optional<Scheme> scheme = scheme_named(settings.scheme);
   if (mesher == nullptr || !scheme) return {};
   const Stopwatch watch;

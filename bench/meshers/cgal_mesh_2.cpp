@@ -14,7 +14,6 @@
 #include <set>
 #include <utility>
 
-#include "../../core/support/stopwatch.hpp"
 #include "bounds.hpp"
 
 namespace pardel::bench {
@@ -300,7 +299,6 @@ class CgalMesh2 final : public SubdomainMesher {
   }
 
   [[nodiscard]] RefinedSubdomain refine(const Subdomain& subdomain) override {
-    const Stopwatch watch;
     const Region region = usable_region(subdomain, splits_segments_);
     Domain domain(subdomain, region);
     Triangulation& cdt = domain.cdt();
@@ -311,8 +309,7 @@ class CgalMesh2 final : public SubdomainMesher {
       CGAL::Delaunay_mesher_2<Triangulation, CellCriteria> mesher(cdt, criteria);
       mesher.init(true);
       const std::size_t most = cdt.number_of_vertices() + subdomain.most_new_points;
-      while (!(is_done = mesher.is_refinement_done()) && cdt.number_of_vertices() < most &&
-             watch.seconds() < subdomain.seconds)
+      while (!(is_done = mesher.is_refinement_done()) && cdt.number_of_vertices() < most)
         mesher.try_one_step_refine_mesh();
     }
     RefinedSubdomain answer = Answer(subdomain, region, cdt).take();

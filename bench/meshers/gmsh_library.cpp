@@ -173,6 +173,13 @@ RefinedSubdomain read_mesh(const Subdomain& subdomain) {
   return answer;
 }
 
+struct Session {
+  Session() { gmsh::initialize(0, nullptr, false); }
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+  ~Session() { gmsh::finalize(); }
+};
+
 class GmshMesher final : public SubdomainMesher {
  public:
   [[nodiscard]] MesherAbilities abilities() const override {
@@ -185,12 +192,9 @@ class GmshMesher final : public SubdomainMesher {
 
   [[nodiscard]] RefinedSubdomain refine(const Subdomain& subdomain) override {
     try {
-      gmsh::initialize(0, nullptr, false);
-      RefinedSubdomain answer = mesh(subdomain);
-      gmsh::finalize();
-      return answer;
+      const Session session;
+      return mesh(subdomain);
     } catch (const std::string& what) {  // Gmsh throws these
-      gmsh::finalize();
       throw std::runtime_error(what);
     }
   }

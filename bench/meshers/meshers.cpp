@@ -1,5 +1,6 @@
 #include "meshers.hpp"
 
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -54,7 +55,7 @@ std::vector<std::string> names_of_meshers() {
   return names;
 }
 
-std::unique_ptr<SubdomainMesher> mesher_for(const std::string& name, int threads) {
+std::unique_ptr<SubdomainMesher> mesher_for(const std::string& name, int threads, const Goal& goal) {
   if (name.starts_with(program)) {
     const std::optional<MesherProgram> known = named_program(name.substr(program.size()));
     if (!known) return nullptr;
@@ -62,7 +63,9 @@ std::unique_ptr<SubdomainMesher> mesher_for(const std::string& name, int threads
     return made ? std::move(*made) : nullptr;
   }
   std::unique_ptr<SubdomainMesher> mesher = mesher_named(name);
-  if (mesher == nullptr || mesher->abilities().is_thread_safe || threads == 1) return mesher;
+  const bool depends_on_place = goal.size || goal.grading < INFINITY || goal.feature_edges > 0;
+  const bool is_alone = threads == 1 && !depends_on_place;
+  if (mesher == nullptr || mesher->abilities().is_thread_safe || is_alone) return mesher;
   Result<std::unique_ptr<SubdomainMesher>> wrapped = in_processes(std::move(mesher), threads);
   return wrapped ? std::move(*wrapped) : nullptr;
 }

@@ -28,8 +28,9 @@ struct NamedMesher {
 
 /// The names for mesher_for(): those of meshers(), and "program triangle" for each named program.
 [[nodiscard]] std::vector<std::string> names_of_meshers();
-/// For this number of threads: what is not thread-safe runs in as many worker processes. To be called before the
-/// process uses threads. Null if the mesher cannot be had here.
-[[nodiscard]] std::unique_ptr<SubdomainMesher> mesher_for(const std::string& name, int threads);
+/// For this number of threads: what is not thread-safe runs in as many worker processes; for one thread only if sizes
+/// depend on the place, because workers get samples of them. To be called before the process uses threads. Null if the
+/// mesher cannot be had here.
+[[nodiscard]] std::unique_ptr<SubdomainMesher> mesher_for(const std::string& name, int threads, const Goal& goal);
 
 }  // namespace pardel::bench

@@ -57,6 +57,11 @@ RefinedSubdomain run_triangle(const Subdomain& subdomain, std::string switches, 
   triangulate(switches.data(), &in, &out.arrays, nullptr);
 
   RefinedSubdomain answer;
+  if (out.arrays.numberofpoints < static_cast<int>(points.size())) {
+    answer.ending = RefinedSubdomain::Ending::failed;
+    answer.why = "Triangle has lost points";
+    return answer;
+  }
   const auto* const corners = reinterpret_cast<const std::array<Index, 3>*>(out.arrays.trianglelist);
   for (int i = 0; i < out.arrays.numberofpoints; ++i)
     answer.points.push_back({out.arrays.pointlist[2 * i], out.arrays.pointlist[2 * i + 1]});
@@ -106,6 +111,13 @@ class TriangleMesher final : public SubdomainMesher {
 /// What the hook asks while Triangle runs. Triangle gives it no other place, and is not thread-safe in any case.
 const Bounds* bounds_of_run = nullptr;
 
+struct WithBounds {
+  explicit WithBounds(const Bounds& bounds) { bounds_of_run = &bounds; }
+  WithBounds(const WithBounds&) = delete;
+  WithBounds& operator=(const WithBounds&) = delete;
+  ~WithBounds() { bounds_of_run = nullptr; }
+};
+
 /// Triangle rounds the circumcentre in another way, so those at the border of the cell are left out.
 bool is_unsuitable(const Bounds& bounds, Point a, Point b, Point c) {
   const double ux = b.x - a.x, uy = b.y - a.y, vx = c.x - a.x, vy = c.y - a.y;
@@ -134,10 +146,8 @@ class TriangleWithHook final : public SubdomainMesher {
   }
   [[nodiscard]] RefinedSubdomain refine(const Subdomain& subdomain) override {
     const Bounds bounds(subdomain);
-    bounds_of_run = &bounds;
-    RefinedSubdomain answer = run_triangle(subdomain, "uD", {});
-    bounds_of_run = nullptr;
-    return answer;
+    const WithBounds with(bounds);
+    return run_triangle(subdomain, "uD", {});
   }
 };
 
