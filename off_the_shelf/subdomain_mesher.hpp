@@ -70,11 +70,13 @@ struct RefinedSubdomain {
 
 /// What a mesher can do. Schemes that need more than a mesher can do are refused with a `usage` error.
 struct MesherAbilities {
-  bool obeys_cell = false;            ///< keeps the rule of Subdomain::cell
-  bool keeps_frozen_edges = false;    ///< false: it may only be used with cells, where no frozen edge is ever split
-  bool splits_segments = false;       ///< false: segments are split before, and all edges are frozen
-  bool exempts_small_angles = false;  ///< ends by itself where segments meet at small angles; otherwise limits end it
-  bool is_thread_safe = false;        ///< false: one task at a time (in_processes.hpp runs them in processes)
+  bool obeys_cell = false;          ///< keeps the rule of Subdomain::cell
+  bool keeps_frozen_edges = false;  ///< false: it may only be used with cells, where no frozen edge is ever split
+  bool splits_segments = false;     ///< false: segments are split before, and all edges are frozen
+  /// Ends by itself where segments meet at small angles. Otherwise it does not get the triangles at such angles that
+  /// miss the goal.
+  bool exempts_small_angles = false;
+  bool is_thread_safe = false;  ///< false: one task at a time (in_processes.hpp runs them in processes)
 };
 
 /// A sequential mesher. It is not trusted: every answer is verified before it becomes a part of the mesh.

@@ -73,10 +73,10 @@ class CellSweep {
     find_nearby();
     for (unsigned colour = 0; colour < tiles_.colours(); ++colour) {
       run_.threads.ask();
-      const Portions portions = portions_of(colour);
+      Portions portions = portions_of(colour);
       if (portions.all.empty()) continue;
       const auto before = static_cast<TriangleId>(t_.slots.size());
-      show(run_, run_tasks(run_, portions.all, portions.portion_of));
+      show(run_, run_tasks(run_, std::move(portions)));
       for (TriangleId id = before; id < t_.slots.size(); ++id) nearby_.push_back(id);
     }
   }

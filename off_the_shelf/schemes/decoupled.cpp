@@ -160,7 +160,7 @@ void refine_decoupled(MesherRun& run) {
   for (TriangleId id = 0; id < portions.portion_of.size(); ++id)
     if (portions.portion_of[id] != no_index) portions.all[portions.portion_of[id]].triangles.push_back(id);
   ++run.report.sweeps;
-  const std::uint64_t made = run_tasks(run, portions.all, portions.portion_of);
+  const std::uint64_t made = run_tasks(run, std::move(portions));
   // Where an answer was not used, borders are not Delaunay yet.
   make_delaunay(run.mesh.t, run.threads);
   show(run, made);

@@ -11,9 +11,7 @@ void sweep_with_frozen_borders(MesherRun& run) {
   repeat_sweeps(run, largest_share_left, [&](const ToSplit& to_split, unsigned number) {
     const std::vector<TriangleId> taken =
         number == 0 ? all_triangles(run.mesh.t) : with_rings(run.mesh.t, to_split.triangles, rings);
-    const Portions portions = divide_among_leaves(run, taken, to_split, number % 3);
-    const std::uint64_t made = run_tasks(run, portions.all, portions.portion_of);
-    show(run, made);
+    show(run, run_tasks(run, divide_among_leaves(run, taken, to_split, number % 3)));
   });
 }
 

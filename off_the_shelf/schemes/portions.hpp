@@ -11,12 +11,6 @@
 
 namespace pardel::engine {
 
-/// The portions of a phase.
-struct Portions {
-  std::vector<Portion> all;
-  std::vector<Index> portion_of;  ///< for each triangle of the mesh, its portion; no_index: it belongs to none
-};
-
 /// The triangles that break the goal and may be split, and those with an encroached side.
 struct ToSplit {
   std::vector<TriangleId> triangles;  ///< ascending

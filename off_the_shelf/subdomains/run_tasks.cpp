@@ -57,6 +57,19 @@ std::uint64_t most_points_per_task(const MesherRun& run, std::size_t tasks) {
   return most > present ? (most - present) / tasks : 0;
 }
 
+/// Takes the triangles that small input angles exempt from the goal out of the portions.
+void leave_out_exempt(const MesherRun& run, Portions& portions) {
+  parallel_for(run.threads, portions.all.size(), [&](std::size_t i, int) {
+    std::erase_if(portions.all[i].triangles, [&](TriangleId id) {
+      const bool is_exempt = run.mesh.assessor.assess(id).left_alone;
+      if (is_exempt) portions.portion_of[id] = no_index;
+      return is_exempt;
+    });
+  });
+  // The numbers in portion_of still tell portions apart.
+  std::erase_if(portions.all, [](const Portion& portion) { return portion.triangles.empty(); });
+}
+
 /// Throws Stopped if the mesh with these answers would have too many triangles, or take too much memory.
 void require_room(const MesherRun& run, const std::vector<Replacement>& replacements) {
   std::uint64_t vertices = run.mesh.t.points.size(), triangles = run.mesh.t.slots.size();
@@ -77,7 +90,9 @@ void show(const MesherRun& run, std::uint64_t made) {
   if (!fine) throw Stopped{fine.error()};
 }
 
-std::uint64_t run_tasks(MesherRun& run, const std::vector<Portion>& portions, std::span<const Index> portion_of) {
+std::uint64_t run_tasks(MesherRun& run, Portions given) {
+  if (!run.mesher.abilities().exempts_small_angles) leave_out_exempt(run, given);
+  const std::vector<Portion>& portions = given.all;
   if (portions.empty()) return 0;
   const Stopwatch in_tasks;
   const std::uint64_t most_new_points = most_points_per_task(run, portions.size());
@@ -88,7 +103,7 @@ std::uint64_t run_tasks(MesherRun& run, const std::vector<Portion>& portions, st
   const std::size_t twice =
       portions.size() > 1 ? static_cast<std::size_t>(smallest - portions.begin()) : portions.size();
   std::vector<Attempt> attempts(portions.size());
-  std::vector<PartMaker> makers(static_cast<std::size_t>(run.threads.count), PartMaker(run.mesh, portion_of));
+  std::vector<PartMaker> makers(static_cast<std::size_t>(run.threads.count), PartMaker(run.mesh, given.portion_of));
   parallel_for(run.threads, portions.size(), [&](std::size_t i, int thread) {
     const bool is_here = run.ranks == nullptr || does_task(i, *run.ranks);
     attempts[i] =

@@ -28,14 +28,21 @@ struct MesherRun {
   double seconds_in_tasks = 0;  ///< of this thread, in run_tasks()
 };
 
+/// The portions of a phase.
+struct Portions {
+  std::vector<Portion> all;
+  std::vector<Index> portion_of;  ///< for each triangle of the mesh, its portion; no_index: it belongs to none
+};
+
 /// Shows the mesh to the watcher of the run, if there is one. The mesh is constrained Delaunay. `made`: the number of
 /// new vertices since the last call. Throws Stopped if the watcher returns an error.
 void show(const MesherRun& run, std::uint64_t made);
 
 /// Refines each portion, all at the same time. An answer that breaks the contract is not used: its portion stays as it
-/// was. `portion_of`: for each triangle, the number of its portion, or no_index. The smallest of several
-/// portions is refined twice: two answers that differ are a breach. Returns the number of new vertices. Collective if
-/// ranks share the tasks: they exchange their answers once. Throws Stopped if the mesh becomes too large.
-std::uint64_t run_tasks(MesherRun& run, const std::vector<Portion>& portions, std::span<const Index> portion_of);
+/// was. A mesher that does not know small input angles does not get the triangles that they exempt from the goal: it
+/// would split them for ever. The smallest of several portions is refined twice: two answers that differ are a breach.
+/// Returns the number of new vertices. Collective if ranks share the tasks: they exchange their answers once. Throws
+/// Stopped if the mesh becomes too large.
+std::uint64_t run_tasks(MesherRun& run, Portions portions);
 
 }  // namespace pardel::engine

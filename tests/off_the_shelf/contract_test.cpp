@@ -1,7 +1,9 @@
 // Each way to break the contract is caught and named, and the run ends with a certified mesh.
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -91,6 +93,44 @@ TEST(OffTheShelf, tries_once_more_after_a_sweep_that_achieved_nothing) {
     EXPECT_GT(made->mesher.inserted, made->mesher.completed);
     EXPECT_TRUE(check(square().pslg(), made->mesh, goal).valid);
   }
+}
+
+/// Notes whether it gets a triangle at the origin.
+class Witness final : public SubdomainMesher {
+ public:
+  explicit Witness(bool exempts_small_angles) : exempts_(exempts_small_angles) {}
+  [[nodiscard]] MesherAbilities abilities() const override {
+    MesherAbilities abilities = own_->abilities();
+    abilities.exempts_small_angles = exempts_;
+    return abilities;
+  }
+  [[nodiscard]] RefinedSubdomain refine(const Subdomain& subdomain) override {
+    std::size_t small = 0;
+    for (const auto& v : subdomain.triangles)
+      for (const Index corner : v)
+        if (subdomain.points[corner] == Point{0, 0}) ++small;
+    seen += small;
+    return own_->refine(subdomain);
+  }
+  std::atomic<std::size_t> seen{0};
+
+ private:
+  bool exempts_;
+  std::unique_ptr<SubdomainMesher> own_ = own_mesher();
+};
+
+TEST(OffTheShelf, gives_no_triangle_at_a_small_input_angle_to_a_mesher_that_does_not_know_them) {
+  const Pslg wedge = domains::wedge(72, 5);  // all around the origin
+  const Goal angles{.min_angle_deg = 25, .max_area = 0.05};
+  for (const Scheme scheme : {Scheme::frozen, Scheme::cells, Scheme::decoupled})
+    for (const bool exempts : {false, true}) {
+      Witness mesher(exempts);
+      const Result<MeshedWithMesher> made = mesh_with_mesher(
+          *validate(wedge), angles, mesher, {.scheme = scheme, .triangles_per_task = 1000000}, {.threads = 2});
+      ASSERT_TRUE(made.ok()) << made.error().message;
+      EXPECT_EQ(mesher.seen > 0, exempts);
+      EXPECT_TRUE(check(wedge, made->mesh, angles).valid);
+    }
 }
 
 TEST(OffTheShelf, splits_borders_to_pieces_that_keep_the_floor) {
