@@ -32,7 +32,7 @@ const Files outputs = {"out.pvtu", "out_0000.vtu", "out_0001.vtu", "out_0002.vtu
 class MpiFaults : public testing::Workshop {
  protected:
   MpiFaults() {
-    testing::prepare_for_jobs();
+    testing::prepare_for_jobs(folder_);
     setenv("PARDEL_FAILING_CALLS", PARDEL_FAILING_CALLS, 1);
     EXPECT_TRUE(write_poly(domains::pipe(), folder_ / "work" / "pipe.poly"));
   }
