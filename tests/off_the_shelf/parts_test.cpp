@@ -1,4 +1,6 @@
 // A part of a mesh on its way to a mesher and back: what verification accepts and refuses, and what gluing makes.
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -377,6 +379,19 @@ PARDEL_PROPERTY(Part, with_other_triangles_becomes_constrained_delaunay,
     if (made.on_edge[side] == no_index)
       RC_ASSERT(!(incircle(made.points[v[0]], made.points[v[1]], made.points[v[2]], made.points[w[across % 3]]) > 0));
   }
+}
+
+TEST(Part, with_more_triangles_than_its_points_can_have_is_refused_at_once) {
+  Subdomain subdomain;
+  subdomain.points = {{0, 0}, {1, 0}, {0, 1}};
+  subdomain.triangles = {{0, 1, 2}};
+  subdomain.edges = {{0, 1}, {1, 2}, {2, 0}};
+  RefinedSubdomain answer = unchanged(subdomain);
+  answer.triangles.assign(7, {0, 1, 2});
+  const Verified result = verify(subdomain, std::move(answer), std::vector<EndPoints>(3), Floor(0));
+  ASSERT_FALSE(result.ok());
+  EXPECT_EQ(result.error().kind, BreachKind::overlap);
+  EXPECT_EQ(result.error().what, "7 triangles, more than 3 points can have");
 }
 
 PARDEL_PROPERTY(Part, with_a_missing_triangle_is_refused,
