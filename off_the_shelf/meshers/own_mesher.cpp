@@ -62,9 +62,8 @@ Imported import_subdomain(const Subdomain& subdomain) {
 }
 
 /// One cell, or the cell of the subdomain in the middle of nine. The cell is a little smaller than that of the
-/// subdomain, so that rounding moves no point out of it.
-Tiles tiles_for(const Subdomain& subdomain) {
-  Box box = box_of(subdomain);
+/// subdomain, so that rounding moves no point out of it. `box`: contains the subdomain.
+Tiles tiles_for(const Subdomain& subdomain, Box box) {
   if (!subdomain.cell) return Tiles(Lattice(box, 1, 1));
   const double margin = 1e-9 * box.extent();
   box = {std::max(subdomain.cell->low.x, box.min_x - box.extent()) + margin,
@@ -103,7 +102,7 @@ class OwnMesher final : public SubdomainMesher {
     t.origin.resize_uninitialised(vertices + most);
     t.slots.resize_uninitialised(triangles + 2 * most);
     if (!t.region.empty()) t.region.resize_uninitialised(triangles + 2 * most);
-    const Tiles tiles = tiles_for(subdomain);
+    const Tiles tiles = tiles_for(subdomain, box);
     Task task(t, assessor, criteria, options.min_edge, subdomain.cell.has_value());
     RefinedSubdomain answer;
     // The limit on new points ends the task; a limit on time would let the mesh depend on the speed of the machine.

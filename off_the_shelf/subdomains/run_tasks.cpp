@@ -60,8 +60,9 @@ std::uint64_t most_points_per_task(const MesherRun& run, std::size_t tasks) {
 /// Takes the triangles that small input angles exempt from the goal out of the portions.
 void leave_out_exempt(const MesherRun& run, Portions& portions) {
   parallel_for(run.threads, portions.all.size(), [&](std::size_t i, int) {
+    LocalHints hints;
     std::erase_if(portions.all[i].triangles, [&](TriangleId id) {
-      const bool is_exempt = run.mesh.assessor.assess(id).left_alone;
+      const bool is_exempt = run.mesh.assessor.assess(id, hints).left_alone;
       if (is_exempt) portions.portion_of[id] = no_index;
       return is_exempt;
     });

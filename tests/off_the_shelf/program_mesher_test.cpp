@@ -5,14 +5,13 @@
 
 #include <chrono>
 #include <cmath>
-#include <fstream>
-#include <thread>
 #include <utility>
 
 #include "../../core/digest.hpp"
 #include "../../off_the_shelf/mesh_with_mesher.hpp"
 #include "../../properties/checker/check.hpp"
 #include "../../properties/domains/domains.hpp"
+#include "../is_gone.hpp"
 #include "../temporary_folder.hpp"
 #include "../with_variable.hpp"
 
@@ -186,14 +185,7 @@ TEST_F(ProgramMesher, that_does_not_answer_in_time_is_killed_with_its_children) 
   EXPECT_EQ(answer.ending, Ending::timed_out);
   EXPECT_EQ(answer.why, "no answer within 0.5 s");
   EXPECT_LT(std::chrono::steady_clock::now() - start, 60s);
-  std::string process = folder_.read("child"), state;
-  process.pop_back();
-  for (int tries = 0; tries < 1000; ++tries, std::this_thread::sleep_for(10ms)) {
-    std::ifstream stat("/proc/" + process + "/stat");
-    std::string id, name;
-    if (!(stat >> id >> name >> state) || state == "Z" || state == "X") return;
-  }
-  FAIL() << "process " << process << " is in the state " << state;
+  EXPECT_TRUE(is_gone(folder_.read("child")));
 }
 
 TEST_F(ProgramMesher, that_writes_no_file_is_unreadable) {

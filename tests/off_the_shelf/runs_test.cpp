@@ -37,7 +37,8 @@ PARDEL_PROPERTY(OffTheShelf, runs_do_not_depend_on_threads,
   const Problem problem = some_fine_problem(exhibit);
   const MesherOptions how = small_tasks(some_scheme());
   const auto mesher = own_mesher();
-  const MeshedWithMesher one = run(problem, *mesher, how), many = run(problem, *mesher, how, *rc::gen::inRange(2, 9));
+  const MeshedWithMesher one = run(problem, *mesher, how),
+                         many = run(problem, *mesher, how, {.threads = *rc::gen::inRange(2, 9)});
   const std::string differs = difference(one.mesh, many.mesh);
   if (!differs.empty()) RC_FAIL(differs);
   RC_ASSERT(one.mesher.tasks == many.mesher.tasks);
@@ -56,7 +57,7 @@ PARDEL_PROPERTY(
   RC_TAG(std::string(name(mistake)));
   const MesherOptions how = small_tasks(some_scheme());
   BadMesher mesher(mistake, *rc::gen::inRange(1U, 4U));
-  const MeshedWithMesher made = run(problem, mesher, how, *rc::gen::inRange(1, 4));
+  const MeshedWithMesher made = run(problem, mesher, how, {.threads = *rc::gen::inRange(1, 4)});
   exhibit.show(problem.pslg, made.mesh);
   require_valid(check(problem.pslg, made.mesh, problem.goal));
   const Breaches& found = made.mesher.breaches;
@@ -80,13 +81,9 @@ PARDEL_PROPERTY(OffTheShelf, runs_split_no_segment_that_is_kept,
                  .families = shelf_families}) {
   const Problem problem = some_fine_problem(exhibit);
   const auto mesher = own_mesher();
-  const auto valid = validate(problem.pslg);
-  RC_ASSERT(valid.ok());
-  const Result<MeshedWithMesher> made =
-      mesh_with_mesher(*valid, problem.goal, *mesher, small_tasks(some_scheme()),
-                       {.threads = 1, .max_vertices = 5000, .no_segment_splits = true});
-  if (!made) RC_FAIL(made.error().message);
-  for (const Index origin : made->mesh.origin) RC_ASSERT(origin == interior_vertex || origin == input_vertex);
+  const MeshedWithMesher made = run(problem, *mesher, small_tasks(some_scheme()),
+                                    {.threads = 1, .max_vertices = 5000, .no_segment_splits = true});
+  for (const Index origin : made.mesh.origin) RC_ASSERT(origin == interior_vertex || origin == input_vertex);
 }
 
 PARDEL_PROPERTY(
@@ -97,15 +94,11 @@ PARDEL_PROPERTY(
      .families = shelf_families}) {
   const Problem problem = some_fine_problem(exhibit);
   const auto mesher = own_mesher();
-  const auto valid = validate(problem.pslg);
-  RC_ASSERT(valid.ok());
   const Scheme scheme = some_scheme();
   const double least_part = scheme == Scheme::cells ? 1 - 1e-9 : 0.1;
   const double min_edge = extent_of(problem.pslg) / *rc::gen::inRange(10, 100);
-  const Result<MeshedWithMesher> made =
-      mesh_with_mesher(*valid, problem.goal, *mesher, small_tasks(scheme), {.threads = 1, .min_edge = min_edge});
-  if (!made) RC_FAIL(made.error().message);
-  const Mesh& mesh = made->mesh;
+  const MeshedWithMesher made = run(problem, *mesher, small_tasks(scheme), {.threads = 1, .min_edge = min_edge});
+  const Mesh& mesh = made.mesh;
   for (const Triangle& t : mesh.triangles)
     for (unsigned i = 0; i < 3; ++i) {
       const Index a = t.v[i], b = t.v[(i + 1) % 3];
@@ -121,14 +114,10 @@ PARDEL_PROPERTY(OffTheShelf, runs_keep_a_limit_on_vertices,
                  .families = shelf_families}) {
   const Problem problem = some_fine_problem(exhibit);
   const auto mesher = own_mesher();
-  const auto valid = validate(problem.pslg);
-  RC_ASSERT(valid.ok());
   const auto most = *rc::gen::inRange<std::uint64_t>(1, 200);
-  const Result<MeshedWithMesher> made =
-      mesh_with_mesher(*valid, problem.goal, *mesher, small_tasks(some_scheme()), {.threads = 1, .max_vertices = most});
-  if (!made) RC_FAIL(made.error().message);
-  RC_ASSERT(made->mesh.points.size() <= std::max<std::size_t>(most, problem.pslg.points.size()));
-  require_valid(check(problem.pslg, made->mesh, {.min_angle_deg = 0}));
+  const MeshedWithMesher made = run(problem, *mesher, small_tasks(some_scheme()), {.threads = 1, .max_vertices = most});
+  RC_ASSERT(made.mesh.points.size() <= std::max<std::size_t>(most, problem.pslg.points.size()));
+  require_valid(check(problem.pslg, made.mesh, {.min_angle_deg = 0}));
 }
 
 PARDEL_PROPERTY(OffTheShelf, meshes_conform_after_each_phase,
@@ -138,8 +127,6 @@ PARDEL_PROPERTY(OffTheShelf, meshes_conform_after_each_phase,
                  .families = shelf_families}) {
   const Problem problem = some_fine_problem(exhibit);
   BadMesher mesher(static_cast<BreachKind>(*rc::gen::inRange(0, breach_kinds)), 3);
-  const auto valid = validate(problem.pslg);
-  RC_ASSERT(valid.ok());
   int seen = 0;
   const Options options{.threads = 1, .after_sweep = [&](const Mesh& mesh, const Sweep&) -> Status {
                           ++seen;
@@ -147,9 +134,8 @@ PARDEL_PROPERTY(OffTheShelf, meshes_conform_after_each_phase,
                           if (certificate.valid) return Done{};
                           return Error{ErrorKind::internal, to_text(certificate)};
                         }};
-  const auto made = mesh_with_mesher(*valid, problem.goal, mesher, small_tasks(some_scheme()), options);
-  if (!made) RC_FAIL(made.error().message);
-  RC_ASSERT(seen >= static_cast<int>(made->mesher.sweeps));
+  const MeshedWithMesher made = run(problem, mesher, small_tasks(some_scheme()), options);
+  RC_ASSERT(seen >= static_cast<int>(made.mesher.sweeps));
 }
 
 }  // namespace

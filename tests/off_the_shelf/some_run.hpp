@@ -26,10 +26,10 @@ inline MesherOptions small_tasks(Scheme scheme) {
   return how;
 }
 inline MeshedWithMesher run(const Problem& problem, SubdomainMesher& mesher, const MesherOptions& how,
-                            int threads = 1) {
+                            const Options& options = {.threads = 1}) {
   const auto valid = validate(problem.pslg, {.convex_hull = problem.goal.convex_hull});
   RC_ASSERT(valid.ok());
-  Result<MeshedWithMesher> result = mesh_with_mesher(*valid, problem.goal, mesher, how, {.threads = threads});
+  Result<MeshedWithMesher> result = mesh_with_mesher(*valid, problem.goal, mesher, how, options);
   if (!result) RC_FAIL(result.error().message);
   return std::move(*result);
 }
