@@ -7,7 +7,7 @@ set(PARDEL_MUTATED_SOURCES ${PROJECT_BINARY_DIR}/mutated_sources)
 set(PARDEL_MUTATED_FOLDERS core parallel distributed off_the_shelf properties ref cli fuzz tests)
 
 # The libraries that have a mutated twin.
-set(PARDEL_MUTATED "comparison|core|formats|parallel|distributed|off_the_shelf|checker|domains|defects|wrong_meshes|generators|ref|framework|samples")
+set(PARDEL_MUTATED "comparison|core|formats|parallel|distributed|off_the_shelf|checker|domains|defects|wrong_meshes|generators|ref|schemes|framework|samples")
 # Libraries without the prefix `pardel_` that have one.
 set(PARDEL_MUTATED_SUPPORT
     "fuzz_support|fuzz_cases|fuzz_input_faces|fuzz_known_files|fuzz_drawn_cells|fuzz_pieces|fuzz_exact_signs|fuzz_judgement|many_domains_parts")

@@ -1,0 +1,298 @@
+#include "triangulation.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <deque>
+#include <numeric>
+
+#include "predicates.hpp"
+
+namespace pardel::schemes {
+namespace {
+
+struct Extent {
+  Point low, high;
+  [[nodiscard]] double width() const { return std::max(high.x - low.x, high.y - low.y); }
+};
+
+Extent extent_of(const std::vector<Point>& points) {
+  Extent e{points.front(), points.front()};
+  for (const Point p : points) {
+    e.low = {std::min(e.low.x, p.x), std::min(e.low.y, p.y)};
+    e.high = {std::max(e.high.x, p.x), std::max(e.high.y, p.y)};
+  }
+  return e;
+}
+
+/// The place of p on a curve that fills the extent (Morton's), so that points with close places are close.
+std::uint64_t place_on_curve(Point p, const Extent& extent) {
+  const auto spread = [](double share) {
+    auto bits = static_cast<std::uint64_t>(share * 0x1p31);
+    std::uint64_t result = 0;
+    for (unsigned k = 0; k < 32; ++k) result |= (bits >> k & 1U) << 2 * k;
+    return result;
+  };
+  const double width = extent.width() > 0 ? extent.width() : 1;
+  return spread((p.x - extent.low.x) / width) | spread((p.y - extent.low.y) / width) << 1U;
+}
+
+/// Two triangles that cover a square around all points. Its corners are the last four points.
+LinkedMesh box_around(const std::vector<Point>& points) {
+  const Extent e = extent_of(points);
+  const double reach = std::max({e.width(), 0x1p-20 * std::abs(e.low.x), 0x1p-20 * std::abs(e.low.y)}) * 16;
+  const auto first = static_cast<Index>(points.size());
+  LinkedMesh mesh{points, std::vector<Index>(points.size(), no_segment), {}, {}};
+  const double left = e.low.x - reach, right = e.high.x + reach, low = e.low.y - reach, high = e.high.y + reach;
+  for (const Point corner : {Point{left, low}, Point{right, low}, Point{right, high}, Point{left, high}})
+    mesh.points.push_back(corner);
+  mesh.faces.push_back({{first, first + 1, first + 2}, {no_index, 1, no_index}});
+  mesh.faces.push_back({{first, first + 2, first + 3}, {no_index, no_index, 0}});
+  return mesh;
+}
+
+/// Inserts the vertex v of a triangulation without constraints. `last`: a triangle near it; becomes one at v.
+void insert_vertex(Triangulated& t, Index v, Index& last) {
+  LinkedMesh& mesh = t.mesh;
+  const Index at = locate(mesh, mesh.points[v], last, t.work);
+  std::vector<Index> starts = {at};
+  // A point on a side lies on the border of the open circumdisks, but the neighbour is part of its cavity.
+  for (int i = 0; i < 3; ++i) {
+    const auto [a, b] = ends(mesh, {at, i});
+    if (mesh.faces[at].n[i] != no_index && orientation(mesh.points[a], mesh.points[b], mesh.points[v]) == 0)
+      starts.push_back(mesh.faces[at].n[i]);
+  }
+  const Cavity cavity = cavity_of(mesh, mesh.points[v], starts);
+  t.work += cavity.triangles.size() + cavity.boundary.size();
+  last = replace(mesh, cavity, v).front();
+}
+
+Triangulated delaunay_in_box(const std::vector<Point>& points) {
+  Triangulated t{box_around(points), 0};
+  const Extent extent = extent_of(points);
+  std::vector<std::pair<std::uint64_t, Index>> order;
+  for (Index v = 0; v < points.size(); ++v) order.emplace_back(place_on_curve(points[v], extent), v);
+  std::ranges::sort(order);
+  Index last = 0;
+  for (const auto& [place, v] : order) insert_vertex(t, v, last);
+  return t;
+}
+
+/// The edges of the convex hull, counter-clockwise, with all points that lie on it (Andrew's monotone chains).
+std::vector<std::array<Index, 2>> hull_of(const std::vector<Point>& points) {
+  std::vector<Index> order(points.size());
+  std::iota(order.begin(), order.end(), Index{0});
+  std::ranges::sort(order, {}, [&](Index v) { return std::pair(points[v].x, points[v].y); });
+  std::vector<std::array<Index, 2>> edges;
+  for (int half = 0; half < 2; ++half) {
+    std::vector<Index> chain;
+    for (const Index v : order) {
+      while (chain.size() >= 2 && orientation(points[chain[chain.size() - 2]], points[chain.back()], points[v]) < 0)
+        chain.pop_back();
+      chain.push_back(v);
+    }
+    for (std::size_t k = 1; k < chain.size(); ++k) edges.push_back({chain[k - 1], chain[k]});
+    std::ranges::reverse(order);
+  }
+  return edges;
+}
+
+/// A triangle at each vertex, kept while sides are flipped.
+class TriangleAt {
+ public:
+  explicit TriangleAt(const LinkedMesh& mesh) : at_(mesh.points.size(), no_index) {
+    for (Index t = 0; t < mesh.faces.size(); ++t) note(mesh, t);
+  }
+  void note(const LinkedMesh& mesh, Index t) {
+    for (const Index v : mesh.faces[t].v) at_[v] = t;
+  }
+  [[nodiscard]] Index operator[](Index v) const { return at_[v]; }
+
+ private:
+  std::vector<Index> at_;
+};
+
+int corner_of(const LinkedMesh& mesh, Index t, Index v) {
+  const Corners& corners = mesh.faces[t].v;
+  return static_cast<int>(std::ranges::find(corners, v) - corners.begin());
+}
+
+/// The side of some triangle that runs from a to b, if there is one; else the side opposite to a through which the
+/// segment ab leaves a. Precondition: a is not on the border of the mesh, and ab contains no other vertex.
+Side towards(const LinkedMesh& mesh, const TriangleAt& at, Index a, Index b) {
+  Index t = at[a];
+  for (;;) {
+    const int i = corner_of(mesh, t, a);
+    const Index right = mesh.faces[t].v[(i + 1) % 3], left = mesh.faces[t].v[(i + 2) % 3];
+    if (right == b) return {t, (i + 2) % 3};
+    const bool is_between = orientation(mesh.points[a], mesh.points[right], mesh.points[b]) > 0 &&
+                            orientation(mesh.points[a], mesh.points[left], mesh.points[b]) < 0;
+    if (is_between) return {t, i};
+    t = mesh.faces[t].n[(i + 1) % 3];  // counter-clockwise around a
+  }
+}
+
+void constrain(LinkedMesh& mesh, Side side, Index segment) {
+  mesh.faces[side.triangle].segment[side.i] = segment;
+  if (mesh.faces[side.triangle].n[side.i] == no_index) return;
+  const Side twin = across(mesh, side);
+  mesh.faces[twin.triangle].segment[twin.i] = segment;
+}
+
+/// The ends of the sides that the segment ab crosses, from a on.
+std::deque<std::array<Index, 2>> crossed_sides(const LinkedMesh& mesh, Side first, Index a, Index b) {
+  std::deque<std::array<Index, 2>> crossed;
+  for (Side side = first;;) {
+    crossed.push_back(ends(mesh, side));
+    const Side beyond = across(mesh, side);
+    const Index apex = mesh.faces[beyond.triangle].v[beyond.i];
+    if (apex == b) return crossed;
+    // Seen from a, the side runs from right to left. If the apex lies on the left, the segment leaves between the right
+    // end and the apex, opposite to the left end, which comes after the apex in the triangle beyond.
+    const bool left = orientation(mesh.points[a], mesh.points[b], mesh.points[apex]) > 0;
+    side = {beyond.triangle, (beyond.i + (left ? 1 : 2)) % 3};
+  }
+}
+
+/// The side that joins a and b, seen from one of its triangles. The search turns around the lower number: the corners
+/// of the box, which have the highest ones, are on the border.
+Side side_between(const LinkedMesh& mesh, const TriangleAt& at, Index a, Index b) {
+  if (b < a) std::swap(a, b);
+  Index t = at[a];
+  for (;;) {
+    const int i = corner_of(mesh, t, a);
+    if (mesh.faces[t].v[(i + 1) % 3] == b) return {t, (i + 2) % 3};
+    t = mesh.faces[t].n[(i + 1) % 3];
+  }
+}
+
+/// Flips the sides that ab crosses until ab is a side, and constrains it (Sloan).
+void force(Triangulated& triangulated, TriangleAt& at, Index a, Index b, Index segment) {
+  LinkedMesh& mesh = triangulated.mesh;
+  const Side first = towards(mesh, at, a, b);
+  if (ends(mesh, first) == std::array{a, b}) return constrain(mesh, first, segment);
+  std::vector<std::array<Index, 2>> made;
+  std::deque<std::array<Index, 2>> crossed = crossed_sides(mesh, first, a, b);
+  while (!crossed.empty()) {
+    const auto [p, q] = crossed.front();
+    crossed.pop_front();
+    const Side side = side_between(mesh, at, p, q), twin = across(mesh, side);
+    const Index c = mesh.faces[side.triangle].v[side.i], d = mesh.faces[twin.triangle].v[twin.i];
+    const bool convex = orientation(mesh.points[d], mesh.points[c], mesh.points[p]) *
+                            orientation(mesh.points[d], mesh.points[c], mesh.points[q]) <
+                        0;
+    if (!convex) {
+      crossed.push_back({p, q});
+      continue;
+    }
+    flip(mesh, side);
+    at.note(mesh, side.triangle);
+    at.note(mesh, twin.triangle);
+    const bool still_crosses = c != a && c != b && d != a && d != b &&
+                               orientation(mesh.points[a], mesh.points[b], mesh.points[c]) *
+                                       orientation(mesh.points[a], mesh.points[b], mesh.points[d]) <
+                                   0;
+    (still_crosses ? crossed.push_back({d, c}) : made.push_back({d, c}));
+  }
+  constrain(mesh, side_between(mesh, at, a, b), segment);
+  std::vector<Side> sides;
+  for (const auto& [p, q] : made) sides.push_back(side_between(mesh, at, p, q));
+  const std::vector<Index> flipped = flip_to_delaunay(mesh, sides);
+  for (const Index t : flipped) at.note(mesh, t);
+  triangulated.work += 2 * made.size() + flipped.size();
+}
+
+/// Marks the triangles that can be reached from `start` without crossing a constrained side.
+void spread(const LinkedMesh& mesh, Index start, Index value, std::vector<Index>& values) {
+  std::vector<Index> frontier = {start};
+  while (!frontier.empty()) {
+    const Index t = frontier.back();
+    frontier.pop_back();
+    if (values[t] == value) continue;
+    values[t] = value;
+    for (int i = 0; i < 3; ++i)
+      if (const Index other = mesh.faces[t].n[i]; other != no_index && !is_constrained(mesh, {t, i}))
+        frontier.push_back(other);
+  }
+}
+
+Index triangle_around(const LinkedMesh& mesh, Point p) {
+  for (Index t = 0; t < mesh.faces.size(); ++t) {
+    const bool inside = orientation(mesh.corner(t, 0), mesh.corner(t, 1), p) >= 0 &&
+                        orientation(mesh.corner(t, 1), mesh.corner(t, 2), p) >= 0 &&
+                        orientation(mesh.corner(t, 2), mesh.corner(t, 0), p) >= 0;
+    if (inside) return t;
+  }
+  return no_index;
+}
+
+/// Removes the outside and the holes, and the corners of the box; gives triangles their regions.
+void carve(LinkedMesh& mesh, const Pslg& pslg) {
+  constexpr Index removed = 0;
+  std::vector<Index> values(mesh.faces.size(), no_index);
+  const auto corner = static_cast<Index>(pslg.points.size());
+  for (Index t = 0; t < mesh.faces.size(); ++t)
+    if (std::ranges::any_of(mesh.faces[t].v, [&](Index v) { return v >= corner; })) spread(mesh, t, removed, values);
+  for (const Point hole : pslg.holes)
+    if (const Index t = triangle_around(mesh, hole); t != no_index) spread(mesh, t, removed, values);
+  for (Index r = 0; r < pslg.regions.size(); ++r)
+    if (const Index t = triangle_around(mesh, pslg.regions[r].seed); t != no_index && values[t] != removed)
+      spread(mesh, t, r + 1, values);
+  for (Index t = 0; t < mesh.faces.size(); ++t) {
+    Face& face = mesh.faces[t];
+    if (values[t] != no_index && values[t] != removed) face.region = values[t] - 1;
+    for (Index& n : face.n)
+      if (n != no_index && values[n] == removed) n = no_index;
+  }
+  for (Index t = 0; t < mesh.faces.size(); ++t)
+    if (values[t] == removed) mesh.faces[t] = {};
+  mesh.points.resize(pslg.points.size());
+  compact(mesh);
+}
+
+}  // namespace
+
+Index locate(const LinkedMesh& mesh, Point p, Index from, std::uint64_t& work) {
+  for (Index t = from;; ++work) {
+    int leave = -1;
+    for (int i = 0; i < 3 && leave < 0; ++i) {
+      const auto [a, b] = ends(mesh, {t, i});
+      if (orientation(mesh.points[a], mesh.points[b], p) < 0) leave = i;
+    }
+    if (leave < 0) return t;
+    t = mesh.faces[t].n[leave];
+    if (t == no_index) return no_index;
+  }
+}
+
+std::vector<Index> flip_to_delaunay(LinkedMesh& mesh, std::vector<Side> sides) {
+  std::vector<Index> changed;
+  while (!sides.empty()) {
+    const Side side = sides.back();
+    sides.pop_back();
+    if (mesh.faces[side.triangle].n[side.i] == no_index || is_constrained(mesh, side)) continue;
+    const Side twin = across(mesh, side);
+    if (!circumdisk_contains(mesh, side.triangle, mesh.corner(twin.triangle, twin.i))) continue;
+    flip(mesh, side);
+    for (const Index t : {side.triangle, twin.triangle}) {
+      changed.push_back(t);
+      for (const int i : {0, 2}) sides.push_back({t, i});
+    }
+  }
+  return changed;
+}
+
+Result<Triangulated> triangulation_of(const Pslg& pslg) {
+  const Error empty{ErrorKind::invalid_input, "The domain has no triangle."};
+  if (pslg.points.size() < 3) return empty;
+  Triangulated result = delaunay_in_box(pslg.points);
+  LinkedMesh& mesh = result.mesh;
+  TriangleAt at(mesh);
+  if (pslg.segments.empty()) mesh.segments = hull_of(pslg.points);
+  for (const Segment& s : pslg.segments) mesh.segments.push_back({s.a, s.b});
+  for (Index s = 0; s < mesh.segments.size(); ++s) force(result, at, mesh.segments[s][0], mesh.segments[s][1], s);
+  carve(mesh, pslg);
+  if (mesh.faces.empty()) return empty;
+  return result;
+}
+
+}  // namespace pardel::schemes

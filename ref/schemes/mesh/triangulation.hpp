@@ -1,0 +1,36 @@
+// Triangulations of points and of domains: the mesh with which a refinement begins.
+//
+// Sources: A. Bowyer, "Computing Dirichlet tessellations", 1981, and D. F. Watson, 1981 (insertion of points);
+// S. W. Sloan, "A fast algorithm for generating constrained Delaunay triangulations", 1993 (forcing an edge);
+// C. L. Lawson, "Software for C1 surface interpolation", 1977 (flips end in the Delaunay triangulation).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "../../../core/result.hpp"
+#include "linked_mesh.hpp"
+
+namespace pardel::schemes {
+
+struct Triangulated {
+  LinkedMesh mesh;
+  std::uint64_t work = 0;  ///< triangles that were read or written
+};
+
+/// The constrained Delaunay triangulation of a domain, as the program Triangle defines domains: the faces of the Pslg
+/// that neither the outside nor a hole point reaches, or, without segments, the convex hull of the points, whose edges
+/// are then constrained. Triangles know their regions. Precondition: the Pslg is valid, and no coordinate exceeds
+/// 2^400. Errors: `invalid_input` if the domain has no triangle. O(n log n) time on typical input.
+[[nodiscard]] Result<Triangulated> triangulation_of(const Pslg& pslg);
+
+/// The triangle in use that contains p in its interior or on its border, found by a walk from the triangle `from`;
+/// no_index if the walk leaves the mesh. Adds the length of the walk to `work`. Precondition: the mesh is Delaunay and
+/// covers its convex hull.
+[[nodiscard]] Index locate(const LinkedMesh& mesh, Point p, Index from, std::uint64_t& work);
+
+/// Flips unconstrained sides until each of these, and each that a flip has changed, is locally Delaunay. Returns the
+/// triangles that were changed.
+std::vector<Index> flip_to_delaunay(LinkedMesh& mesh, std::vector<Side> sides);
+
+}  // namespace pardel::schemes

@@ -1,0 +1,99 @@
+#include "territory.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pardel::schemes {
+namespace {
+
+/// So many samples are taken of the domain, and of each worker's part.
+constexpr double samples_at_least = 4096, samples_per_worker = 64;
+
+Point centroid(const LinkedMesh& mesh, Index t) {
+  const Point a = mesh.corner(t, 0), b = mesh.corner(t, 1), c = mesh.corner(t, 2);
+  return {(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3};
+}
+
+double area(const std::array<Point, 3>& p) {
+  return ((p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[1].y - p[0].y) * (p[2].x - p[0].x)) / 2;
+}
+
+/// Calls visit(centroid, part) for parts of a triangle that are at most `largest` large.
+template <class Visit>
+void visit_parts(const std::array<Point, 3>& p, double largest, const Visit& visit) {
+  if (!(area(p) > largest)) {
+    visit(Point{(p[0].x + p[1].x + p[2].x) / 3, (p[0].y + p[1].y + p[2].y) / 3}, p);
+    return;
+  }
+  const auto middle = [](Point a, Point b) { return Point{(a.x + b.x) / 2, (a.y + b.y) / 2}; };
+  const Point ab = middle(p[0], p[1]), bc = middle(p[1], p[2]), ca = middle(p[2], p[0]);
+  for (const std::array<Point, 3>& part :
+       {std::array{p[0], ab, ca}, std::array{ab, p[1], bc}, std::array{ca, bc, p[2]}, std::array{ab, bc, ca}})
+    visit_parts(part, largest, visit);
+}
+
+}  // namespace
+
+Territory::Territory(const LinkedMesh& mesh, const Bounds& bounds, int workers) : workers_(workers) {
+  double whole = 0;
+  for (Index t = 0; t < mesh.faces.size(); ++t)
+    if (mesh.in_use(t)) whole += area({mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)});
+  const double largest = whole / std::max(samples_at_least, samples_per_worker * workers);
+  std::vector<Sample> samples;
+  for (Index t = 0; t < mesh.faces.size(); ++t) {
+    if (!mesh.in_use(t)) continue;
+    visit_parts({mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)}, largest, [&](Point p, const auto& part) {
+      samples.push_back({p, std::max(1.0, area(part) / bounds.wanted_area(p, mesh.faces[t].region))});
+    });
+  }
+  root_ = divide(samples, 0, samples.size(), 0, workers);
+}
+
+int Territory::divide(std::vector<Sample>& samples, std::size_t from, std::size_t to, int first, int count) {
+  if (count == 1 || to - from < 2) return -first - 1;
+  Point low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
+  double weight = 0;
+  for (std::size_t k = from; k < to; ++k) {
+    const auto& [p, w] = samples[k];
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    weight += w;
+  }
+  const bool in_x = high.x - low.x >= high.y - low.y;
+  const auto key = [in_x](const Sample& s) { return in_x ? std::pair(s.p.x, s.p.y) : std::pair(s.p.y, s.p.x); };
+  const auto begin = samples.begin();
+  std::sort(begin + static_cast<std::ptrdiff_t>(from), begin + static_cast<std::ptrdiff_t>(to),
+            [&](const Sample& a, const Sample& b) { return key(a) < key(b); });
+  const int lower = count / 2;
+  const double wanted = weight * lower / count;
+  std::size_t cut = from;
+  for (double sum = 0; cut < to - 1 && (cut == from || sum + samples[cut].weight / 2 < wanted); ++cut)
+    sum += samples[cut].weight;
+  const auto place = static_cast<int>(cuts_.size());
+  cuts_.push_back({in_x, key(samples[cut]).first, 0, 0});
+  const int below = divide(samples, from, cut, first, lower);
+  const int above = divide(samples, cut, to, first + lower, count - lower);
+  cuts_[static_cast<std::size_t>(place)].low = below;
+  cuts_[static_cast<std::size_t>(place)].high = above;
+  return place;
+}
+
+int Territory::owner(Point p) const {
+  int child = root_;
+  while (child >= 0) {
+    const Cut& cut = cuts_[static_cast<std::size_t>(child)];
+    child = (cut.in_x ? p.x : p.y) < cut.at ? cut.low : cut.high;
+  }
+  return -child - 1;
+}
+
+int Territory::owner(const LinkedMesh& mesh, Index t) const { return owner(centroid(mesh, t)); }
+
+std::uint64_t most_owned(const LinkedMesh& mesh, const Territory& territory) {
+  std::vector<std::uint64_t> owned(static_cast<std::size_t>(territory.workers()), 0);
+  for (Index t = 0; t < mesh.faces.size(); ++t)
+    if (mesh.in_use(t)) ++owned[static_cast<std::size_t>(territory.owner(mesh, t))];
+  return *std::ranges::max_element(owned);
+}
+
+}  // namespace pardel::schemes
