@@ -86,8 +86,8 @@ PARDEL_PROPERTY(SchemeRules, every_insertion_keeps_the_mesh_constrained_delaunay
 }
 
 PARDEL_PROPERTY(SchemeRules, encroached_sides_are_seen_from_their_own_triangles,
-                {.statement = "In a constrained Delaunay mesh, if a visible vertex encroaches upon a subsegment, so "
-                              "does a corner opposite to it.",
+                {.statement = "In a constrained Delaunay mesh, if a vertex encroaches upon a subsegment and sees "
+                              "the triangle on its side of it, so does the corner of this triangle.",
                  .source = "Shewchuk 2002; ref/definitions.hpp",
                  .families = scheme_families}) {
   const SchemeCase c = some_scheme_case(exhibit);
@@ -99,7 +99,8 @@ PARDEL_PROPERTY(SchemeRules, encroached_sides_are_seen_from_their_own_triangles,
       if (!schemes::is_constrained(mesh, {t, i})) continue;
       const auto [a, b] = schemes::ends(mesh, {t, i});
       const auto encroaches = [&](const ref::ExactPoint& p) {
-        return ref::encroaches(p, plain.points[a], plain.points[b]) && ref::sees(plain, p, mesh.faces[t].v);
+        return CGAL::orientation(plain.points[a], plain.points[b], p) == CGAL::LEFT_TURN &&
+               ref::encroaches(p, plain.points[a], plain.points[b]) && ref::sees(plain, p, mesh.faces[t].v);
       };
       const bool is_encroached = std::ranges::any_of(plain.points, encroaches);
       found = found || is_encroached;
