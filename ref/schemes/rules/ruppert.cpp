@@ -63,6 +63,10 @@ bool needs_work(const LinkedMesh& mesh, Index t, const Bounds& bounds) {
 std::optional<Insertion> insertion_for(const LinkedMesh& mesh, Index t, const Bounds& bounds) {
   if (const auto side = encroached_side(mesh, t)) return split_of(mesh, *side, bounds.small_angles());
   if (!bounds.is_large(mesh, t) && !bounds.is_thin(mesh, t)) return std::nullopt;
+  return circumcentre_insertion(mesh, t, bounds);
+}
+
+std::optional<Insertion> circumcentre_insertion(const LinkedMesh& mesh, Index t, const Bounds& bounds) {
   Insertion found{t, circumcentre(mesh, t), {}, {}};
   if (!circumdisk_contains(mesh, t, found.point)) return std::nullopt;
   found.cavity = cavity_of(mesh, found.point, {t});

@@ -41,6 +41,10 @@ struct Insertion {
 /// mesh is constrained Delaunay, and t is in use. Time linear in the size of the cavity.
 [[nodiscard]] std::optional<Insertion> insertion_for(const LinkedMesh& mesh, Index t, const Bounds& bounds);
 
+/// The same for a triangle that is to go, whether it needs work or not: its circumcentre, or the split that the
+/// circumcentre calls for.
+[[nodiscard]] std::optional<Insertion> circumcentre_insertion(const LinkedMesh& mesh, Index t, const Bounds& bounds);
+
 /// Carries out an insertion, and returns the new triangles. Precondition: since it was found, no triangle of its cavity
 /// has changed.
 std::vector<Index> carry_out(LinkedMesh& mesh, const Insertion& insertion);

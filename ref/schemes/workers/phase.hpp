@@ -20,6 +20,8 @@ class Phase {
     work(worker, amount);
     wasted_ += amount;
   }
+  /// This much of the work has turned out to be for nothing.
+  void declare_wasted(std::uint64_t amount) { wasted_ += amount; }
   /// All bytes from one worker to another one are one message. No effect if both are the same worker.
   void send(int from, int to, std::uint64_t bytes) {
     if (from == to) return;
