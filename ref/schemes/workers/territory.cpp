@@ -7,7 +7,7 @@ namespace pardel::schemes {
 namespace {
 
 /// So many samples are taken of the domain, and of each worker's part.
-constexpr double samples_at_least = 4096, samples_per_worker = 64;
+constexpr double samples_at_least = 256, samples_per_worker = 64;
 
 Point centroid(const LinkedMesh& mesh, Index t) {
   const Point a = mesh.corner(t, 0), b = mesh.corner(t, 1), c = mesh.corner(t, 2);
