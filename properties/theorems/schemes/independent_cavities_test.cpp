@@ -96,7 +96,8 @@ PARDEL_PROPERTY(
 }
 
 PARDEL_PROPERTY(IndependentCavities, the_order_within_a_round_changes_nothing,
-                {.statement = "The insertions of a round give the same triangles in any order.",
+                {.statement = "The insertions of a round, with the cavities that were found before it, give the "
+                              "same constrained Delaunay triangles in any order.",
                  .source = "properties/THEORY.md, T1-iff",
                  .families = scheme_families}) {
   const SchemeCase c = some_scheme_case(exhibit);
@@ -108,6 +109,7 @@ PARDEL_PROPERTY(IndependentCavities, the_order_within_a_round_changes_nothing,
                   for (auto k = chosen.candidates.rbegin(); k != chosen.candidates.rend(); ++k)
                     schemes::carry_out(backward, all[*k].insertion);
                   RC_ASSERT(placed_triangles(forward) == placed_triangles(backward));
+                  RC_ASSERT(is_locally_delaunay(forward));
                   several = several || chosen.candidates.size() > 1;
                 });
   classify(several, "a round with several insertions", 50);

@@ -62,15 +62,24 @@ PARDEL_PROPERTY(SchemeRules, cavities_are_those_of_the_definition,
   const schemes::Start start = some_start(c);
   const LinkedMesh mesh = some_refined_mesh(c, start);
   const ref::PlainMesh plain = ref::to_plain_mesh(schemes::to_mesh(mesh, c.pslg));
-  bool found = false;
-  for (Index t = 0; t < mesh.faces.size() && !found; ++t) {
-    const auto insertion = schemes::insertion_for(mesh, t, start.bounds);
-    if (!insertion || insertion->splits_segment()) continue;
-    found = true;
-    RC_ASSERT(turned(mesh, insertion->cavity.triangles) ==
-              turned(mesh, ref::cavity(plain, ref::exact(insertion->point))));
+  bool large = false, beside_a_segment = false;
+  for (Index t = 0; t < mesh.faces.size() && t < 20; ++t) {
+    const Point centre = schemes::circumcentre(mesh, t);
+    const ref::ExactPoint p = ref::exact(centre);
+    // A centre on a segment belongs to both sides of it.
+    if (!schemes::circumdisk_contains(mesh, t, centre) || ref::constraint_through(plain, p)) continue;
+    if (!ref::sees(plain, p, mesh.faces[t].v)) continue;
+    const schemes::Cavity cavity = schemes::cavity_of(mesh, centre, {t});
+    RC_ASSERT(turned(mesh, cavity.triangles) == turned(mesh, ref::cavity(plain, p)));
+    large = large || cavity.triangles.size() > 2;
+    beside_a_segment = beside_a_segment || std::ranges::any_of(cavity.boundary, [&](schemes::Side side) {
+                         const Index beyond = mesh.faces[side.triangle].n[side.i];
+                         return schemes::is_constrained(mesh, side) && beyond != no_index &&
+                                schemes::circumdisk_contains(mesh, beyond, centre);
+                       });
   }
-  classify(found, "a circumcentre is inserted", 20);
+  classify(large, "a cavity of more than two triangles", 40);
+  classify(beside_a_segment, "a segment keeps a triangle out of a cavity", 2);
 }
 
 PARDEL_PROPERTY(SchemeRules, every_insertion_keeps_the_mesh_constrained_delaunay,

@@ -73,14 +73,18 @@ PARDEL_PROPERTY(Sinks, radii_do_not_decrease_along_a_walk,
 }
 
 PARDEL_PROPERTY(Sinks, a_walk_ends_in_a_sink_or_at_a_segment,
-                {.statement = "The last triangle of a walk contains its circumcentre, or a segment separates them.",
+                {.statement = "The last triangle of a walk contains its circumcentre, or a segment separates them. "
+                              "No walk crosses a segment.",
                  .source = sink_insertion_paper,
                  .families = scheme_families}) {
   const SchemeCase c = some_scheme_case(exhibit);
   const LinkedMesh mesh = some_mesh(c);
   bool at_a_segment = false, in_a_sink = false;
   for (Index t = 0; t < mesh.faces.size(); ++t) {
-    const Index last = schemes::walk_to_sink(mesh, t).back();
+    const std::vector<Index> walk = schemes::walk_to_sink(mesh, t);
+    for (std::size_t k = 1; k < walk.size(); ++k)
+      RC_ASSERT(!schemes::is_constrained(mesh, schemes::flow(mesh, walk[k - 1]).value()));
+    const Index last = walk.back();
     const auto side = schemes::flow(mesh, last);
     RC_ASSERT(contains_its_centre(mesh, last) == !side.has_value());
     if (side) RC_ASSERT(schemes::is_constrained(mesh, *side));
@@ -114,6 +118,26 @@ PARDEL_PROPERTY(Sinks, a_new_vertex_is_as_far_from_all_others_as_the_sink_is_lar
   classify(moved, "a sink other than the triangle itself", 40);
 }
 
+PARDEL_PROPERTY(Sinks, the_centre_of_the_sink_is_inserted,
+                {.statement = "For a bad triangle, the centre of the sink at the end of its walk is inserted, or a "
+                              "segment is split.",
+                 .source = sink_insertion_paper,
+                 .families = scheme_families}) {
+  const SchemeCase c = some_scheme_case(exhibit);
+  const schemes::Start start = some_start(c);
+  bool moved = false;
+  for (Index t = 0; t < start.mesh.faces.size(); ++t) {
+    std::uint64_t read = 0;
+    const auto insertion = schemes::sink_insertion(start.mesh, t, start.bounds, read);
+    if (!insertion || insertion->splits_segment()) continue;
+    const std::vector<Index> walk = schemes::walk_to_sink(start.mesh, t);
+    RC_ASSERT(insertion->point == schemes::circumcentre(start.mesh, walk.back()));
+    RC_ASSERT(read == walk.size());
+    moved = moved || walk.size() > 1;
+  }
+  classify(moved, "a sink other than the triangle itself", 4);
+}
+
 PARDEL_PROPERTY(Sinks, the_mesh_does_not_depend_on_workers,
                 {.statement = "Any number of workers makes the same mesh.",
                  .source = "ref/schemes/rounds/in_rounds.hpp",
@@ -133,7 +157,7 @@ PARDEL_FACT(Sinks, a_right_triangle_is_a_sink,
   const auto start = schemes::start_of({square, Goal{.min_angle_deg = 0}});
   ASSERT_TRUE(start);
   for (const Index t : {Index{0}, Index{1}}) {
-    EXPECT_FALSE(schemes::flow(start->mesh, t).has_value());
+    ASSERT_FALSE(schemes::flow(start->mesh, t).has_value());
     EXPECT_EQ(schemes::walk_to_sink(start->mesh, t), std::vector<Index>{t});
   }
   facts.cases = 1;

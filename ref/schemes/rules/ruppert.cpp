@@ -87,7 +87,7 @@ std::vector<Index> carry_out(LinkedMesh& mesh, const Insertion& insertion) {
   return replace(mesh, insertion.cavity, vertex, split);
 }
 
-std::size_t refine_sequentially(LinkedMesh& mesh, const Bounds& bounds, std::size_t most_points) {
+std::size_t refine_sequentially(LinkedMesh& mesh, const Bounds& bounds, std::size_t most_points, std::uint64_t* work) {
   std::deque<Index> waiting;
   for (Index t = 0; t < mesh.faces.size(); ++t) waiting.push_back(t);
   std::size_t insertions = 0;
@@ -98,6 +98,7 @@ std::size_t refine_sequentially(LinkedMesh& mesh, const Bounds& bounds, std::siz
     const auto insertion = insertion_for(mesh, t, bounds);
     if (!insertion) continue;
     ++insertions;
+    if (work != nullptr) *work += 2 * insertion->work();  // found, and carried out
     const std::vector<Index> made = carry_out(mesh, *insertion);
     waiting.insert(waiting.end(), made.begin(), made.end());
     // A triangle whose circumcentre was rejected is still there.

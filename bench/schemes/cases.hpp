@@ -1,0 +1,27 @@
+// The domains and goals on which the schemes are compared.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "../../core/goal.hpp"
+#include "../../core/result.hpp"
+
+namespace pardel::bench {
+
+struct SchemeInput {
+  Pslg pslg;
+  Goal goal;
+};
+
+/// "square", "pipe" (bounds on areas), "key" (lengths that grow from the tip of the bit, by a factor of 60), "random"
+/// and "clustered" (points, with the bound on angles only).
+[[nodiscard]] std::vector<std::string> scheme_inputs();
+
+/// The input whose mesh has about this many triangles (within a third), with angles of at least 20.7 degrees. `refines`
+/// false: the points are only triangulated, so they are more; areas and lengths do not count. Errors: of kind `usage`,
+/// for a name that is not in the list.
+[[nodiscard]] Result<SchemeInput> scheme_input(std::string_view name, double triangles, bool refines);
+
+}  // namespace pardel::bench
