@@ -25,11 +25,10 @@ SchemeInput graded_key(double triangles) {
   Point tip = input.pslg.points.front();
   for (const Point p : input.pslg.points)
     if (p.x > tip.x) tip = p;
-  constexpr double growth = 0.1;
-  // Measured: 10^5 triangles if the least length is 0.00106.
-  const double least = 0.00106 * std::sqrt(1e5 / triangles);
-  const double slope = growth * std::sqrt(1e5 / triangles);
-  input.goal.size = [=](Point p) { return least + slope * std::hypot(p.x - tip.x, p.y - tip.y) / 6; };
+  // Measured: with these numbers the mesh has 10^5 triangles.
+  const double scale = std::sqrt(1e5 / triangles);
+  const double least = 8.06e-4 * scale, slope = 1.27e-2 * scale;
+  input.goal.size = [=](Point p) { return least + slope * std::hypot(p.x - tip.x, p.y - tip.y); };
   return input;
 }
 

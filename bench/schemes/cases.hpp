@@ -15,8 +15,8 @@ struct SchemeInput {
   Goal goal;
 };
 
-/// "square", "pipe" (bounds on areas), "key" (lengths that grow from the tip of the bit, by a factor of 60), "random"
-/// and "clustered" (points, with the bound on angles only).
+/// "square", "pipe" (bounds on areas), "key" (lengths that grow from the tip of the key, by a factor of about 100),
+/// "random" and "clustered" (points, with the bound on angles only).
 [[nodiscard]] std::vector<std::string> scheme_inputs();
 
 /// The input whose mesh has about this many triangles (within a third), with angles of at least 20.7 degrees. `refines`
