@@ -106,12 +106,12 @@ def draw_parallelism(runs, titles):
         def at(workers, parallelism):
             return (left + inner * math.log(workers) / math.log(most),
                     top + inner - inner * math.log(max(1, parallelism)) / math.log(most))
-        corner, end = at(1, 1), at(most, most)
-        panels += [f'<path d="M{corner[0]:.1f} {end[1]:.1f}V{corner[1]:.1f}H{end[0]:.1f}" fill="none" stroke="#bbb"/>',
-                   f'<line x1="{corner[0]:.1f}" y1="{corner[1]:.1f}" x2="{end[0]:.1f}" y2="{end[1]:.1f}" stroke="#ddd"/>',
+        (left, low), (right, high) = at(1, 1), at(most, most)
+        panels += [f'<path d="M{left:.1f} {high:.1f}V{low:.1f}H{right:.1f}" fill="none" stroke="#bbb"/>',
+                   f'<line x1="{left:.1f}" y1="{low:.1f}" x2="{right:.1f}" y2="{high:.1f}" stroke="#ddd"/>',
                    text(left, top - 6, f"{domain}, {largest:,.0f} triangles"),
-                   text(end[0], corner[1] + 13, f"{most:,} workers", "end", 9),
-                   text(left - 3, end[1] + 8, f"{most:,}", "end", 9)]
+                   text(right, low + 13, f"{most:,} workers", "end", 9),
+                   text(left - 3, high + 8, f"{most:,}", "end", 9)]
         for number, scheme in enumerate(schemes):
             of_scheme = [r for r in runs if r["input"] == domain and r["scheme"] == scheme]
             if of_scheme:
@@ -150,9 +150,10 @@ def draw_winners(runs, titles, machine):
                 if run is None:
                     continue
                 x, y = left + i * wide, top + inner - (j + 1) * high
-                told = f"{titles[run['scheme']]}: {run['seconds']:.4f} s"
+                told = html.escape(f"{titles[run['scheme']]}: {run['seconds']:.4f} s")
+                colour = COLOURS[schemes.index(run["scheme"])]
                 panels.append(f'<rect x="{x:.1f}" y="{y:.1f}" width="{wide - 1:.1f}" height="{high - 1:.1f}" '
-                              f'fill="{COLOURS[schemes.index(run["scheme"])]}"><title>{html.escape(told)}</title></rect>')
+                              f'fill="{colour}"><title>{told}</title></rect>')
                 if domain == domains[0] and i == 0:
                     panels.append(text(left - 3, y + high / 2 + 3, f"{size:.0e}".replace("e+0", "e"), "end", 9))
     notes = [text(MARGIN, 16, f"The fastest scheme in the model of {machine['name']}", size=13)]
