@@ -25,12 +25,17 @@ struct Settings {
   bool list = false;
 };
 
-Json counts(const schemes::Scheme& scheme, const schemes::Outcome& outcome, const SchemeInput& input) {
-  const schemes::Account& a = outcome.account;
-  const Certificate certificate = check(input.pslg, schemes::to_mesh(outcome.mesh, input.pslg),
-                                        scheme.refines ? input.goal : Goal{.min_angle_deg = 0});
-  return {{"triangles", outcome.mesh.faces.size()},
-          {"insertions", a.insertions},
+/// What the mesh is like, whoever made it.
+Json quality(const schemes::Scheme& scheme, const schemes::LinkedMesh& mesh, const SchemeInput& input) {
+  const Goal goal = scheme.refines ? input.goal : Goal{.min_angle_deg = 0};
+  const Certificate certificate = check(input.pslg, schemes::to_mesh(mesh, input.pslg), goal);
+  return {{"triangles", mesh.faces.size()},
+          {"smallest_angle", certificate.min_angle_deg.value},
+          {"certified", certificate.valid}};
+}
+
+Json costs(const schemes::Account& a) {
+  return {{"insertions", a.insertions},
           {"sequential", a.sequential},
           {"work", a.work},
           {"wasted", a.wasted},
@@ -42,9 +47,7 @@ Json counts(const schemes::Scheme& scheme, const schemes::Outcome& outcome, cons
           {"set_backs", a.set_backs},
           {"messages", a.messages},
           {"bytes", a.bytes},
-          {"most_held", a.most_held},
-          {"smallest_angle", certificate.min_angle_deg.value},
-          {"certified", certificate.valid}};
+          {"most_held", a.most_held}};
 }
 
 void print_list() {
@@ -68,16 +71,22 @@ int run(const Settings& settings) {
   if (scheme == all.end()) return fail("there is no scheme \"" + settings.scheme + "\"");
   const Result<SchemeInput> input = scheme_input(settings.input, settings.triangles, scheme->refines);
   if (!input) return fail(input.error().message);
-  for (const int workers : settings.workers) {
-    Json line{
-        {"scheme", settings.scheme}, {"input", settings.input}, {"size", settings.triangles}, {"workers", workers}};
-    const Result<schemes::Outcome> outcome = scheme->run({input->pslg, input->goal, workers, settings.seed});
-    if (!outcome)
-      line["error"] = outcome.error().message;
-    else
-      line.update(counts(*scheme, *outcome, *input));
+  const auto outcomes = scheme->run({input->pslg, input->goal, 1, settings.seed}, settings.workers);
+  Json mesh;
+  for (std::size_t k = 0; k < settings.workers.size(); ++k) {
+    Json line{{"scheme", settings.scheme},
+              {"input", settings.input},
+              {"size", settings.triangles},
+              {"workers", settings.workers[k]}};
+    if (!outcomes) {
+      line["error"] = outcomes.error().message;
+    } else {
+      const schemes::Outcome& outcome = (*outcomes)[k];
+      if (!outcome.mesh.faces.empty()) mesh = quality(*scheme, outcome.mesh, *input);
+      line.update(mesh);
+      line.update(costs(outcome.account));
+    }
     std::printf("%s\n", line.dump().c_str());
-    std::fflush(stdout);
   }
   return 0;
 }

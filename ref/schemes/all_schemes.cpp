@@ -22,19 +22,52 @@ Result<Outcome> one_worker(const Problem& problem) {
   return Outcome{std::move(mesh), account};
 }
 
+/// Runs a scheme whose mesh depends on the number of workers.
+template <class Run>
+Result<std::vector<Outcome>> each(const Problem& problem, const std::vector<int>& workers, const Run& run) {
+  std::vector<Outcome> outcomes;
+  for (const int count : workers) {
+    Problem one = problem;
+    one.workers = count;
+    Result<Outcome> outcome = run(one);
+    if (!outcome) return outcome.error();
+    outcomes.push_back(std::move(*outcome));
+  }
+  return outcomes;
+}
+
+Result<std::vector<Outcome>> all_rounds(const Problem& problem, const std::vector<int>& workers,
+                                        const RoundRules& rules) {
+  Result<SharedOutcome> shared = refine_in_rounds(problem, rules, workers);
+  if (!shared) return shared.error();
+  std::vector<Outcome> outcomes;
+  for (const Account& account : shared->accounts) outcomes.push_back({{}, account});
+  outcomes.front().mesh = std::move(shared->mesh);
+  return outcomes;
+}
+
 }  // namespace
 
 const std::vector<Scheme>& all_schemes() {
+  using Workers = std::vector<int>;
   static const std::vector<Scheme> schemes = {
-      {"one-worker", "one worker (Ruppert)", one_worker},
+      {"one-worker", "one worker (Ruppert)", [](const Problem& p, const Workers& w) { return each(p, w, one_worker); }},
       {"closures", "independent cavities, disjoint closures",
-       [](const Problem& p) { return independent_cavities(p, Independence::closures); }},
+       [](const Problem& p, const Workers& w) {
+         return all_rounds(p, w, rules_of_independent_cavities(Independence::closures));
+       }},
       {"exact", "independent cavities, exact condition",
-       [](const Problem& p) { return independent_cavities(p, Independence::exact); }},
-      {"sinks", "sinks", [](const Problem& p) { return sinks(p); }},
-      {"rounds", "rounds of centres apart", [](const Problem& p) { return rounds(p); }},
+       [](const Problem& p, const Workers& w) {
+         return all_rounds(p, w, rules_of_independent_cavities(Independence::exact));
+       }},
+      {"sinks", "sinks",
+       [](const Problem& p, const Workers& w) { return all_rounds(p, w, rules_of_sinks(Independence::closures)); }},
+      {"rounds", "rounds of centres apart",
+       [](const Problem& p, const Workers& w) { return all_rounds(p, w, rules_of_rounds({})); }},
       {"rounds-by-class", "rounds of the largest disks",
-       [](const Problem& p) { return rounds(p, {.batch = Batch::largest_class}); }},
+       [](const Problem& p, const Workers& w) {
+         return all_rounds(p, w, rules_of_rounds({.batch = Batch::largest_class}));
+       }},
   };
   return schemes;
 }

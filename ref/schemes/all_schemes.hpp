@@ -11,7 +11,9 @@ namespace pardel::schemes {
 struct Scheme {
   std::string_view name;   ///< for the command line: "independent-cavities"
   std::string_view title;  ///< for tables
-  Result<Outcome> (*run)(const Problem& problem);
+  /// The outcomes for these numbers of workers, in their order. Where they make one mesh, its scheme runs once, and
+  /// only the first outcome has a mesh.
+  Result<std::vector<Outcome>> (*run)(const Problem& problem, const std::vector<int>& workers);
   bool refines = true;  ///< false: it triangulates given points, and meets no goal
 };
 

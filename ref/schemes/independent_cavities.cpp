@@ -106,9 +106,7 @@ RoundRules rules_of_independent_cavities(Independence when) {
   const auto propose = [](const LinkedMesh& mesh, Index t, const Bounds& bounds, std::uint64_t&) {
     return insertion_for(mesh, t, bounds);
   };
-  const auto choose = [when](const LinkedMesh& mesh, const std::vector<Candidate>& candidates, Phase& phase) {
-    // Every candidate is compared with what its cavity touches.
-    for (const Candidate& c : candidates) phase.work(c.worker, c.insertion.cavity.triangles.size());
+  const auto choose = [when](const LinkedMesh& mesh, const std::vector<Candidate>& candidates) {
     return independent_set(mesh, candidates, when);
   };
   return {propose, choose};

@@ -67,8 +67,7 @@ RoundRules rules_of_rounds(const RoundChoices& choices) {
   const auto propose = [](const LinkedMesh& mesh, Index t, const Bounds& bounds, std::uint64_t&) {
     return insertion_for(mesh, t, bounds);
   };
-  const auto choose = [choices](const LinkedMesh& mesh, const std::vector<Candidate>& candidates, Phase& phase) {
-    for (const Candidate& c : candidates) phase.work(c.worker, c.insertion.cavity.triangles.size());
+  const auto choose = [choices](const LinkedMesh& mesh, const std::vector<Candidate>& candidates) {
     return centres_apart(mesh, candidates, choices);
   };
   return {propose, choose};

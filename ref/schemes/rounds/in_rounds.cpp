@@ -4,46 +4,51 @@
 #include <numeric>
 
 #include "../workers/random.hpp"
-#include "../workers/territory.hpp"
+#include "ledger.hpp"
 
 namespace pardel::schemes {
 namespace {
 
 class Rounds {
  public:
-  Rounds(const Problem& problem, const RoundRules& rules, Start start)
+  Rounds(const Problem& problem, const RoundRules& rules, const std::vector<int>& workers, Start start)
       : problem_(problem),
         rules_(rules),
         mesh_(std::move(start.mesh)),
         bounds_(std::move(start.bounds)),
-        account_(start.account),
-        territory_(mesh_, bounds_, problem.workers),
         waiting_(mesh_.faces.size()) {
     std::iota(waiting_.begin(), waiting_.end(), Index{0});
+    for (const int count : workers) ledgers_.emplace_back(mesh_, bounds_, count, start.account);
   }
 
-  [[nodiscard]] Result<Outcome> run() {
-    for (;;) {
-      Phase finding(problem_.workers);
-      const std::vector<Candidate> candidates = propose(finding);
+  [[nodiscard]] Result<SharedOutcome> run() {
+    for (std::uint64_t round = 0;; ++round) {
+      const std::vector<Candidate> candidates = propose(round);
       if (candidates.empty()) break;
-      const Chosen chosen = rules_.choose(mesh_, candidates, finding);
+      const Chosen chosen = rules_.choose(mesh_, candidates);
       if (rules_.watch) rules_.watch(mesh_, candidates, chosen);
-      waste(candidates, chosen, finding);
-      finding.end(account_);
-      account_.barriers += chosen.depth;
+      waste(candidates, chosen);
+      for (Ledger& ledger : ledgers_) {
+        ledger.end_phase();
+        ledger.end_choice(chosen.depth);
+      }
       carry_out_all(candidates, chosen);
-      ++account_.rounds;
+      for (Ledger& ledger : ledgers_) {
+        ledger.end_phase();
+        ledger.end_round();
+      }
       if (mesh_.points.size() > problem_.most_points) return too_many_points(problem_);
     }
-    account_.most_held = most_owned(mesh_, territory_);
+    SharedOutcome outcome;
+    for (Ledger& ledger : ledgers_) outcome.accounts.push_back(ledger.close(mesh_));
     compact(mesh_);
-    return Outcome{std::move(mesh_), account_};
+    outcome.mesh = std::move(mesh_);
+    return outcome;
   }
 
  private:
   /// Every waiting triangle that is in use asks once. A slot may wait twice, if its triangle was replaced.
-  [[nodiscard]] std::vector<Candidate> propose(Phase& phase) {
+  [[nodiscard]] std::vector<Candidate> propose(std::uint64_t round) {
     std::ranges::sort(waiting_);
     waiting_.erase(std::unique(waiting_.begin(), waiting_.end()), waiting_.end());
     std::vector<Candidate> candidates;
@@ -52,55 +57,43 @@ class Rounds {
       std::uint64_t read = 0;
       auto insertion = rules_.propose(mesh_, t, bounds_, read);
       if (!insertion) continue;
-      const int worker = territory_.owner(insertion->point);
-      phase.work(worker, read + insertion->work());
-      const std::uint64_t priority = mixed(mixed(problem_.seed + account_.rounds) + candidates.size());
-      candidates.push_back({std::move(*insertion), worker, priority});
-      fetch(candidates.back(), phase);
+      const std::uint64_t compared = insertion->cavity.triangles.size();
+      for (Ledger& ledger : ledgers_) ledger.find(mesh_, *insertion, read + insertion->work() + compared);
+      const std::uint64_t priority = mixed(mixed(problem_.seed + round) + candidates.size());
+      candidates.push_back({std::move(*insertion), priority});
     }
     return candidates;
   }
 
-  /// The owners of the cavity's triangles send them.
-  void fetch(const Candidate& candidate, Phase& phase) const {
-    for (const Index t : candidate.insertion.cavity.triangles)
-      phase.send(territory_.owner(mesh_, t), candidate.worker, bytes_of_triangle);
-  }
-
   /// The cavities of those that are not chosen have been found for nothing.
-  static void waste(const std::vector<Candidate>& candidates, const Chosen& chosen, Phase& phase) {
+  void waste(const std::vector<Candidate>& candidates, const Chosen& chosen) {
     std::vector<bool> is_chosen(candidates.size(), false);
     for (const std::size_t k : chosen.candidates) is_chosen[k] = true;
+    std::uint64_t wasted = 0;
     for (std::size_t k = 0; k < candidates.size(); ++k)
-      if (!is_chosen[k]) phase.declare_wasted(candidates[k].insertion.work());
+      if (!is_chosen[k]) wasted += candidates[k].insertion.work();
+    for (Ledger& ledger : ledgers_) ledger.waste(wasted);
   }
 
   void carry_out_all(const std::vector<Candidate>& candidates, const Chosen& chosen) {
-    Phase phase(problem_.workers);
     waiting_.clear();
     changed_.assign(mesh_.faces.size(), false);
     for (const std::size_t k : chosen.candidates) {
-      const Candidate& candidate = candidates[k];
-      std::optional<Insertion> insertion =
-          is_stale(candidate.insertion) ? again(candidate, phase) : candidate.insertion;
+      const Insertion& found = candidates[k].insertion;
+      const std::optional<Insertion> insertion = is_stale(found) ? again(found) : found;
       if (!insertion) {
-        ++account_.set_backs;
+        for (Ledger& ledger : ledgers_) ledger.set_back();
         continue;
       }
-      phase.work(candidate.worker, insertion->work());
       const std::vector<Index> made = carry_out(mesh_, *insertion);
+      for (Ledger& ledger : ledgers_) ledger.carry_out(mesh_, *insertion, made);
       changed_.resize(mesh_.faces.size(), false);
       for (const Index t : insertion->cavity.triangles) changed_[t] = true;
-      for (const Index t : made) {
-        changed_[t] = true;
-        phase.send(candidate.worker, territory_.owner(mesh_, t), bytes_of_triangle);
-      }
+      for (const Index t : made) changed_[t] = true;
       waiting_.insert(waiting_.end(), made.begin(), made.end());
-      ++account_.insertions;
     }
     // Triangles that are still there ask again.
     for (const Candidate& candidate : candidates) waiting_.push_back(candidate.insertion.triangle);
-    phase.end(account_);
   }
 
   /// Has the round changed a triangle of the cavity, or made one beside it whose circumdisk contains the point?
@@ -115,11 +108,12 @@ class Rounds {
   }
 
   /// The insertion after others of the same round; nothing if its triangle has been replaced.
-  [[nodiscard]] std::optional<Insertion> again(const Candidate& candidate, Phase& phase) const {
-    if (changed_[candidate.insertion.triangle]) return std::nullopt;
+  [[nodiscard]] std::optional<Insertion> again(const Insertion& before) {
+    if (changed_[before.triangle]) return std::nullopt;
     std::uint64_t read = 0;
-    auto insertion = rules_.propose(mesh_, candidate.insertion.triangle, bounds_, read);
-    if (insertion) phase.work(candidate.worker, read + insertion->work());
+    std::optional<Insertion> insertion = rules_.propose(mesh_, before.triangle, bounds_, read);
+    if (insertion)
+      for (Ledger& ledger : ledgers_) ledger.find_again(*insertion, read + insertion->work());
     return insertion;
   }
 
@@ -127,18 +121,24 @@ class Rounds {
   const RoundRules& rules_;
   LinkedMesh mesh_;
   Bounds bounds_;
-  Account account_;
-  Territory territory_;
+  std::vector<Ledger> ledgers_;
   std::vector<Index> waiting_;  ///< triangles that may need work
   std::vector<bool> changed_;   ///< slots whose triangles were replaced in this round
 };
 
 }  // namespace
 
-Result<Outcome> refine_in_rounds(const Problem& problem, const RoundRules& rules) {
+Result<SharedOutcome> refine_in_rounds(const Problem& problem, const RoundRules& rules,
+                                       const std::vector<int>& workers) {
   Result<Start> start = start_of(problem);
   if (!start) return start.error();
-  return Rounds(problem, rules, std::move(*start)).run();
+  return Rounds(problem, rules, workers, std::move(*start)).run();
+}
+
+Result<Outcome> refine_in_rounds(const Problem& problem, const RoundRules& rules) {
+  Result<SharedOutcome> shared = refine_in_rounds(problem, rules, {problem.workers});
+  if (!shared) return shared.error();
+  return Outcome{std::move(shared->mesh), shared->accounts.front()};
 }
 
 std::vector<std::size_t> by_priority(const std::vector<Candidate>& candidates) {
