@@ -4,6 +4,7 @@ import contextlib
 import io
 import json
 import os
+import sys
 import tempfile
 import time
 import unittest
@@ -15,8 +16,9 @@ from script import call, load
 
 gate, track, compare = load("gate"), load("track"), load("compare")
 
+# The programs below begin with the interpreter of the tests: the search of #!/usr/bin/env may take longer than they do.
 # Stands for bench/workloads/once. COST is what core/cost of the commit contains.
-ONCE = """#!/usr/bin/env python3
+ONCE = f"#!{sys.executable}" + """
 import json, sys
 if len(sys.argv) == 1:
     print("one gate threads\\ntwo gate")
@@ -28,7 +30,7 @@ else:
                       "triangles": True, "bytes": 400, "cycles": None, "digest": "0123456789abcdef" * 2}))
 """
 # Stands for bench/scaling.
-SCALING = """#!/usr/bin/env python3
+SCALING = f"#!{sys.executable}" + """
 import json, sys
 if "--help" in sys.argv:
     print("--json FILE")

@@ -30,7 +30,7 @@ fi
 # Speaks as libFuzzer does. The first argument that is a folder is the corpus. A run ends after LASTS seconds, or by
 # SIGTERM. A merge fails; that of the target `fake` waits for a process of its own that takes MERGES seconds. With
 # MERGE_FINDS, the merge leaves a failing input, and the run after it does not.
-FUZZER = r"""#!/usr/bin/env python3
+FUZZER = f"#!{sys.executable}" + r"""
 import os, re, signal, subprocess, sys, time
 from pathlib import Path
 options = dict(re.findall(r"-(\w+)=(\S+)", " ".join(sys.argv[1:])))
@@ -517,7 +517,7 @@ class Campaigns(FakeBuild):
 
 # Writes the report of a harness that has found one failure. The mesher is `seed N`: it fails for seeds below N. END: at
 # this seed the harness ends as if it had been interrupted.
-HARNESS = r"""#!/usr/bin/env python3
+HARNESS = f"#!{sys.executable}" + r"""
 import json, os, sys
 from pathlib import Path
 options = dict(zip(sys.argv[1::2], sys.argv[2::2]))
@@ -611,7 +611,7 @@ class HarnessCampaigns(FakeBuild):
 
 
 # Leaves what afl-fuzz leaves: one old and one new input, a crash, and an input that took too long.
-AFL_FUZZ = r"""#!/usr/bin/env python3
+AFL_FUZZ = f"#!{sys.executable}" + r"""
 import os, signal, sys, time
 from pathlib import Path
 options = dict(zip(sys.argv[1:], sys.argv[2:]))
