@@ -10,7 +10,7 @@ set(PARDEL_MUTATED_FOLDERS core parallel distributed off_the_shelf properties re
 set(PARDEL_MUTATED "comparison|core|formats|parallel|distributed|off_the_shelf|checker|domains|defects|wrong_meshes|generators|ref|schemes|framework|samples")
 # Libraries without the prefix `pardel_` that have one.
 set(PARDEL_MUTATED_SUPPORT
-    "fuzz_support|fuzz_cases|fuzz_input_faces|fuzz_known_files|fuzz_drawn_cells|fuzz_pieces|fuzz_exact_signs|fuzz_judgement|many_domains_parts")
+    "fuzz_support|fuzz_cases|fuzz_input_faces|fuzz_known_files|fuzz_readers|fuzz_drawn_cells|fuzz_pieces|fuzz_exact_signs|fuzz_judgement|many_domains_parts")
 
 # Defines the target mutated_sources, which makes the copy. The target runs again when a source, a patch or the registry
 # changes. It writes only the files that differ, so the build recompiles nothing else.

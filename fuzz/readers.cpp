@@ -2,7 +2,9 @@
 // file. What was read is written in every format that can hold it and read again: it must have the same digest, and
 // another round must change nothing at all. An input that begins with the byte 0 stands for a file of which the content
 // is known (known_files/): the reader must read this content. So it is noticed, too, if a reader always loses
-// something. This source is compiled once for each format; PARDEL_MAIN_FILE is the name of the file that is read.
+// something.
+#include "readers.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -215,16 +217,17 @@ void round_trip(const Raster& raster, const Scratch& scratch) {
     fail("the raster reads back differently");
 }
 
-/// Caps of triangles are written as .area. Sizes are finite, and the library has no writer for them.
+bool all_finite(const Numbers& values) {
+  return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
+}
+
+/// Caps of triangles are written as .area. The library has no writer for sizes.
 void round_trip(const Numbers& values, const Scratch& scratch) {
   if (!std::ranges::all_of(values, [](double value) { return value > 0; })) fail("a value is not positive");
   const fs::path area = scratch / "again.area", sizes = scratch / "again.sizes";
   require_written(write_area(area, values, 1), area);
   if (read_back(read_area(area), area) != values) fail_at(area, "the written file reads back differently");
-  if (!std::ranges::all_of(values, [](double value) { return std::isfinite(value); })) {
-    if (fs::path(PARDEL_MAIN_FILE).extension() == ".sizes") fail("a size is not finite");
-    return;
-  }
+  if (!all_finite(values)) return;
   std::string lines = std::to_string(values.size()) + "\n";
   for (std::size_t i = 0; i < values.size(); ++i) lines += std::to_string(i + 1) + " " + shortest(values[i]) + "\n";
   scratch.write({"again.sizes", lines});
@@ -262,18 +265,21 @@ void require_same(const Content& read, const KnownFile& known, const fs::path& f
 
 }  // namespace
 
-int fuzz_one(std::span<const std::uint8_t> bytes) {
-  const std::optional<KnownFile> known = known_file_of(bytes, PARDEL_MAIN_FILE);
+int fuzz_reader(std::span<const std::uint8_t> bytes, const std::string& main_file) {
+  const std::optional<KnownFile> known = known_file_of(bytes, main_file);
   if (known) bytes = {reinterpret_cast<const std::uint8_t*>(known->bytes.data()), known->bytes.size()};
   const Scratch scratch;
-  for (const NamedText& file : files_of(bytes, PARDEL_MAIN_FILE)) scratch.write(file);
-  const fs::path folder = (scratch / "").parent_path(), file = file_to_read(scratch, PARDEL_MAIN_FILE);
+  for (const NamedText& file : files_of(bytes, main_file)) scratch.write(file);
+  const fs::path folder = (scratch / "").parent_path(), file = file_to_read(scratch, main_file);
   const Result<Content> content = read(file);
   if (known) require_same(read_back(content, file), *known, file);
-  if (!content)
+  if (!content) {
     check_error(content.error(), folder);
-  else
-    std::visit([&](const auto& value) { round_trip(value, scratch); }, *content);
+    return 0;
+  }
+  if (const auto* sizes = std::get_if<Numbers>(&*content); sizes && fs::path(main_file).extension() == ".sizes")
+    if (!all_finite(*sizes)) fail("a size is not finite");
+  std::visit([&](const auto& value) { round_trip(value, scratch); }, *content);
   return 0;
 }
 
