@@ -77,25 +77,6 @@ Triangulated delaunay_in_box(const std::vector<Point>& points) {
   return t;
 }
 
-/// The edges of the convex hull, counter-clockwise, with all points that lie on it (Andrew's monotone chains).
-std::vector<std::array<Index, 2>> hull_of(const std::vector<Point>& points) {
-  std::vector<Index> order(points.size());
-  std::iota(order.begin(), order.end(), Index{0});
-  std::ranges::sort(order, {}, [&](Index v) { return std::pair(points[v].x, points[v].y); });
-  std::vector<std::array<Index, 2>> edges;
-  for (int half = 0; half < 2; ++half) {
-    std::vector<Index> chain;
-    for (const Index v : order) {
-      while (chain.size() >= 2 && orientation(points[chain[chain.size() - 2]], points[chain.back()], points[v]) < 0)
-        chain.pop_back();
-      chain.push_back(v);
-    }
-    for (std::size_t k = 1; k < chain.size(); ++k) edges.push_back({chain[k - 1], chain[k]});
-    std::ranges::reverse(order);
-  }
-  return edges;
-}
-
 /// A triangle at each vertex, kept while sides are flipped.
 class TriangleAt {
  public:
@@ -250,6 +231,24 @@ void carve(LinkedMesh& mesh, const Pslg& pslg) {
 }
 
 }  // namespace
+
+std::vector<std::array<Index, 2>> hull_of(const std::vector<Point>& points) {
+  std::vector<Index> order(points.size());
+  std::iota(order.begin(), order.end(), Index{0});
+  std::ranges::sort(order, {}, [&](Index v) { return std::pair(points[v].x, points[v].y); });
+  std::vector<std::array<Index, 2>> edges;
+  for (int half = 0; half < 2; ++half) {
+    std::vector<Index> chain;
+    for (const Index v : order) {
+      while (chain.size() >= 2 && orientation(points[chain[chain.size() - 2]], points[chain.back()], points[v]) < 0)
+        chain.pop_back();
+      chain.push_back(v);
+    }
+    for (std::size_t k = 1; k < chain.size(); ++k) edges.push_back({chain[k - 1], chain[k]});
+    std::ranges::reverse(order);
+  }
+  return edges;
+}
 
 Index locate(const LinkedMesh& mesh, Point p, Index from, std::uint64_t& work) {
   for (Index t = from;; ++work) {

@@ -24,6 +24,10 @@ struct Triangulated {
 /// 2^400. Errors: `invalid_input` if the domain has no triangle. O(n log n) time on typical input.
 [[nodiscard]] Result<Triangulated> triangulation_of(const Pslg& pslg);
 
+/// The edges of the convex hull, counter-clockwise, with all points that lie on it (Andrew's monotone chains).
+/// Precondition: there are three points. O(n log n) time.
+[[nodiscard]] std::vector<std::array<Index, 2>> hull_of(const std::vector<Point>& points);
+
 /// The triangle in use that contains p in its interior or on its border, found by a walk from the triangle `from`;
 /// no_index if the walk leaves the mesh. Adds the length of the walk to `work`. Precondition: the mesh is Delaunay and
 /// covers its convex hull.

@@ -55,8 +55,11 @@ double SmallAngles::cosine_between(const LinkedMesh& mesh, Index s, Index r, Ind
 }
 
 Point SmallAngles::split_point(const LinkedMesh& mesh, Side side) const {
-  const Index s = mesh.faces[side.triangle].segment[side.i];
   const auto [a, b] = ends(mesh, side);
+  return split_point(mesh, mesh.faces[side.triangle].segment[side.i], a, b);
+}
+
+Point SmallAngles::split_point(const LinkedMesh& mesh, Index s, Index a, Index b) const {
   const auto is_apex = [&](Index v) {
     return (v == mesh.segments[s][0] && sharp_[s][0]) || (v == mesh.segments[s][1] && sharp_[s][1]);
   };

@@ -17,6 +17,8 @@ class SmallAngles {
   /// The point at which a constrained side is split: its midpoint. If exactly one of its ends is the end of its segment
   /// and has a small angle there, the point whose distance from this end is a power of two and nearest to the half.
   [[nodiscard]] Point split_point(const LinkedMesh& mesh, Side side) const;
+  /// The same for the part from a to b of segment s.
+  [[nodiscard]] Point split_point(const LinkedMesh& mesh, Index s, Index a, Index b) const;
 
   /// Does a small angle of the domain justify the angle of t at corner k? It does if the angle is between two segments
   /// that meet there at less than 60 degrees, or if the opposite side joins two points of one shell around such a
