@@ -70,7 +70,8 @@ class Refinement {
     for (std::size_t inserted = 0; inserted < options_.per_round && !waiting.empty();) {
       const Index t = waiting.front();
       waiting.pop_front();
-      if (!parted_.mesh.in_use(t)) continue;
+      // The dedicated processor may have given the place of the triangle to one of another worker, where it waits.
+      if (!parted_.mesh.in_use(t) || parted_.owner[t] != worker) continue;
       const std::optional<Insertion> insertion = insertion_for(parted_.mesh, t, bounds_);
       if (!insertion) continue;
       if (is_local(parted_, *insertion, worker)) {
@@ -79,8 +80,9 @@ class Refinement {
         ++run_.by_workers;
         ++inserted;
       } else {
-        phase.waste(worker, insertion->work());
-        requests_[static_cast<std::size_t>(worker)].push_back({t, insertion->work()});
+        const std::uint64_t read = read_before_interface(parted_, *insertion, worker);
+        phase.waste(worker, read);
+        requests_[static_cast<std::size_t>(worker)].push_back({t, read});
       }
     }
   }

@@ -8,7 +8,8 @@
 // N. Walkington, "Design of a projection-based parallel Delaunay mesh generation and refinement algorithm", 2003, and
 // "Adaptive dynamic projection-based partitioning for parallel Delaunay mesh generation algorithms", 2004.
 // Where an implementer goes wrong: the cavity of a rejected circumcentre has been read, too; a cavity that ends at an
-// interface has read the triangle behind it; triangles that wait must move with their part.
+// interface has read the triangle behind it; triangles that wait must move with their part; an entry
+// of a queue may be out of date and name a triangle of another worker.
 // Work: triangles read for insertions, points of hulls. Wasted: what a worker read before it set an insertion back.
 // Sequential: what the dedicated processor reads. Messages: requests to it, one for each owner of a cavity in return,
 // and parts that move. Rounds: workers work, then the dedicated processor. The mesh depends on the number of workers.

@@ -72,6 +72,18 @@ void divide(PartedMesh& parted, const Share& share, int other, const GivenPoints
   for (const Index t : all) parted.waiting[at(parted.owner[t])].push_back(t);
 }
 
+/// Is this a split that replaces a circumcentre?
+bool follows_rejection(const PartedMesh& parted, const Insertion& insertion) {
+  return insertion.splits_segment() && !encroached_side(parted.mesh, insertion.triangle);
+}
+
+/// The first cavity that was searched for the insertion.
+Cavity first_cavity(const PartedMesh& parted, const Insertion& insertion) {
+  const Index t = insertion.triangle;
+  return follows_rejection(parted, insertion) ? cavity_of(parted.mesh, circumcentre(parted.mesh, t), {t})
+                                              : insertion.cavity;
+}
+
 }  // namespace
 
 PartedMesh parted_mesh(PartedStart start) {
@@ -96,9 +108,26 @@ bool belongs_to(const PartedMesh& parted, const Cavity& cavity, int worker) {
 
 bool is_local(const PartedMesh& parted, const Insertion& insertion, int worker) {
   if (!belongs_to(parted, insertion.cavity, worker)) return false;
-  const Index t = insertion.triangle;
-  if (!insertion.splits_segment() || encroached_side(parted.mesh, t)) return true;
-  return belongs_to(parted, cavity_of(parted.mesh, circumcentre(parted.mesh, t), {t}), worker);
+  return !follows_rejection(parted, insertion) || belongs_to(parted, first_cavity(parted, insertion), worker);
+}
+
+std::uint64_t read_before_interface(const PartedMesh& parted, const Insertion& insertion, int worker) {
+  const Cavity cavity = first_cavity(parted, insertion);
+  std::vector<Index> reached = {insertion.triangle};
+  const auto contains = [](const std::vector<Index>& list, Index t) {
+    return std::ranges::find(list, t) != list.end();
+  };
+  std::uint64_t rim = 0;
+  for (std::size_t k = 0; k < reached.size(); ++k)
+    for (int i = 0; i < 3; ++i) {
+      const Index other = parted.mesh.faces[reached[k]].n[i];
+      const bool is_open = other != no_index && !is_constrained(parted.mesh, {reached[k], i});
+      if (!is_open || parted.owner[other] != worker || !contains(cavity.triangles, other))
+        ++rim;
+      else if (!contains(reached, other))
+        reached.push_back(other);
+    }
+  return reached.size() + rim;
 }
 
 void carry_out(PartedMesh& parted, const Insertion& insertion) {

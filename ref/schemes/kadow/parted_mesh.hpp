@@ -24,6 +24,10 @@ struct PartedMesh {
 /// circumcentre that was rejected has been read, too.
 [[nodiscard]] bool is_local(const PartedMesh& parted, const Insertion& insertion, int worker);
 
+/// How many triangles the worker has read of the first cavity for the insertion when it meets an interface: its own
+/// triangles that it reaches without leaving its part, and what is across their sides.
+[[nodiscard]] std::uint64_t read_before_interface(const PartedMesh& parted, const Insertion& insertion, int worker);
+
 /// Carries out an insertion. Each new triangle belongs to the owner of the old one at the same side of the cavity. The
 /// new triangles wait, and so does the one for which the insertion was if it is still there.
 void carry_out(PartedMesh& parted, const Insertion& insertion);

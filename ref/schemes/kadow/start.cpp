@@ -125,6 +125,25 @@ void carve(LinkedMesh& mesh, std::vector<int>& owner, const Pslg& pslg, int work
   owner = std::move(kept);
 }
 
+/// Removes the new points of segments outside the domain. `inputs`: number of points of the input, which all stay.
+void remove_unused_points(LinkedMesh& mesh, Index inputs) {
+  std::vector<bool> used(mesh.points.size(), false);
+  for (const Face& face : mesh.faces)
+    for (const Index v : face.v) used[v] = true;
+  std::vector<Index> number(mesh.points.size(), no_index);
+  Index kept = 0;
+  for (Index v = 0; v < mesh.points.size(); ++v) {
+    if (v >= inputs && !used[v]) continue;
+    mesh.points[kept] = mesh.points[v];
+    mesh.segment_of[kept] = mesh.segment_of[v];
+    number[v] = kept++;
+  }
+  mesh.points.resize(kept);
+  mesh.segment_of.resize(kept);
+  for (Face& face : mesh.faces)
+    for (Index& v : face.v) v = number[v];
+}
+
 }  // namespace
 
 Result<PartedStart> parted_start(const Problem& problem, const GivenPointsOptions& options) {
@@ -148,6 +167,7 @@ Result<PartedStart> parted_start(const Problem& problem, const GivenPointsOption
       mesh.segments = outline.segments;
       carve(mesh, triangles.owner, pslg, problem.workers, account);
       if (mesh.faces.empty()) return empty;
+      remove_unused_points(mesh, static_cast<Index>(pslg.points.size()));
       account.insertions = mesh.points.size() - pslg.points.size();
       account.rounds = 0;
       return PartedStart{std::move(mesh), std::move(triangles.owner), division.levels, bounds, account};
