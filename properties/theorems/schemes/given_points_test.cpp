@@ -30,7 +30,7 @@ LinkedMesh standard(const std::vector<Point>& points) {
   return mesh;
 }
 
-/// A path of all points, at the line through one of them.
+/// A path of all points, at the line through the middle of two of them, which may be one point.
 struct SomePath {
   std::vector<Point> points;
   Point m;
@@ -39,7 +39,9 @@ struct SomePath {
 };
 SomePath some_path(Exhibit& exhibit) {
   SomePath result{some_points(exhibit), {}, *rc::gen::element(Cut::x, Cut::y), {}};
-  result.m = result.points[*rc::gen::inRange<std::size_t>(0, result.points.size())];
+  const auto any = [&] { return result.points[*rc::gen::inRange<std::size_t>(0, result.points.size())]; };
+  const Point p = any(), q = any();
+  result.m = {(p.x + q.x) / 2, (p.y + q.y) / 2};
   std::vector<Index> all(result.points.size());
   std::iota(all.begin(), all.end(), Index{0});
   result.path = schemes::dividing_path(result.points, all, result.m, result.cut);

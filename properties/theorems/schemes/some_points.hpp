@@ -11,7 +11,7 @@
 namespace pardel::properties {
 
 inline constexpr const char* point_families =
-    "points of lattices, exact or scaled by 0.1 and moved by 1000.1, so that four points are cocircular, almost "
+    "points of lattices, exact or scaled by 0.1 and rounded, so that four points are cocircular, almost "
     "cocircular or neither; points of lattice domains of every family";
 
 /// Three to sixty distinct points of a lattice, not all on one line, in a random order.
@@ -25,8 +25,7 @@ inline std::vector<Point> some_lattice_points() {
   std::set<std::pair<int, int>> seen;
   std::vector<Point> points;
   for (const auto& [x, y] : drawn)
-    if (seen.insert({x, y}).second)
-      points.push_back(exact ? Point{1.0 * x, 1.0 * y} : Point{x * 0.1 + 1000.1, y * 0.1 + 1000.1});
+    if (seen.insert({x, y}).second) points.push_back(exact ? Point{1.0 * x, 1.0 * y} : Point{x * 0.1, y * 0.1});
   RC_PRE(points.size() >= 3);
   Pslg pslg;
   pslg.points = points;

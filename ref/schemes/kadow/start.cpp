@@ -48,7 +48,7 @@ void count_splits(const std::vector<Piece>& pieces, const std::vector<std::size_
   phase.end(account);
 }
 
-bool holds(const LinkedMesh& mesh, Index t, Point p) {
+bool covers(const LinkedMesh& mesh, Index t, Point p) {
   return orientation(mesh.corner(t, 0), mesh.corner(t, 1), p) >= 0 &&
          orientation(mesh.corner(t, 1), mesh.corner(t, 2), p) >= 0 &&
          orientation(mesh.corner(t, 2), mesh.corner(t, 0), p) >= 0;
@@ -91,13 +91,13 @@ class Spreading {
 };
 
 /// Removes the outside and the holes, and gives triangles their regions.
-void carve(LinkedMesh& mesh, std::vector<int>& owner, const Pslg& pslg, int workers, Account& account) {
+void carve_in_parts(LinkedMesh& mesh, std::vector<int>& owner, const Pslg& pslg, int workers, Account& account) {
   constexpr Index removed = 0;
   Spreading spreading(mesh, owner, workers);
   const auto around = [&](Point p) {
     std::vector<Index> found;
     for (Index t = 0; t < mesh.faces.size() && found.empty(); ++t)
-      if (holds(mesh, t, p)) found.push_back(t);
+      if (covers(mesh, t, p)) found.push_back(t);
     return found;
   };
   std::vector<Index> outside;
@@ -165,7 +165,7 @@ Result<PartedStart> parted_start(const Problem& problem, const GivenPointsOption
     if (missing.empty()) {
       mesh.segment_of = outline.segment_of;
       mesh.segments = outline.segments;
-      carve(mesh, triangles.owner, pslg, problem.workers, account);
+      carve_in_parts(mesh, triangles.owner, pslg, problem.workers, account);
       if (mesh.faces.empty()) return empty;
       remove_unused_points(mesh, static_cast<Index>(pslg.points.size()));
       account.insertions = mesh.points.size() - pslg.points.size();
