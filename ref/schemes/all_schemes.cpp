@@ -1,6 +1,8 @@
 #include "all_schemes.hpp"
 
+#include "given_points.hpp"
 #include "independent_cavities.hpp"
+#include "kadow.hpp"
 #include "rounds.hpp"
 #include "sinks.hpp"
 
@@ -68,6 +70,13 @@ const std::vector<Scheme>& all_schemes() {
        [](const Problem& p, const Workers& w) {
          return all_rounds(p, w, rules_of_rounds({.batch = Batch::largest_class}));
        }},
+      {"kadow", "projected parts (Kadow, Walkington)",
+       [](const Problem& p, const Workers& w) { return each(p, w, [](const Problem& one) { return kadow(one); }); }},
+      {"given-points", "divide and conquer of given points",
+       [](const Problem& p, const Workers& w) {
+         return each(p, w, [](const Problem& one) { return triangulate_given_points(one); });
+       },
+       false},
   };
   return schemes;
 }
