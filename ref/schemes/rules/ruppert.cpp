@@ -14,7 +14,8 @@ double squared_length(const LinkedMesh& mesh, Side side) {
   return dx * dx + dy * dy;
 }
 
-/// The longest constrained side of the cavity's boundary upon which p encroaches, or beyond which p lies.
+}  // namespace
+
 std::optional<Side> blocking_side(const LinkedMesh& mesh, const Cavity& cavity, Point p) {
   std::optional<Side> longest;
   for (const Side side : cavity.boundary) {
@@ -26,8 +27,6 @@ std::optional<Side> blocking_side(const LinkedMesh& mesh, const Cavity& cavity, 
   }
   return longest;
 }
-
-}  // namespace
 
 std::optional<Side> encroached_side(const LinkedMesh& mesh, Index t) {
   for (int i = 0; i < 3; ++i) {

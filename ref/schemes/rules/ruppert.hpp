@@ -25,6 +25,9 @@ struct Insertion {
 /// encroached side is found so, from one of its two triangles.
 [[nodiscard]] std::optional<Side> encroached_side(const LinkedMesh& mesh, Index t);
 
+/// The longest constrained side of the boundary of p's cavity upon which p encroaches, or beyond which p lies.
+[[nodiscard]] std::optional<Side> blocking_side(const LinkedMesh& mesh, const Cavity& cavity, Point p);
+
 /// The circumcentre of a triangle, rounded.
 [[nodiscard]] Point circumcentre(const LinkedMesh& mesh, Index t);
 
