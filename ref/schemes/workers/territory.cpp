@@ -87,6 +87,20 @@ int Territory::owner(Point p) const {
   return -child - 1;
 }
 
+std::vector<Territory::Line> Territory::borders(Point low, Point high) const {
+  std::vector<Line> lines;
+  add_borders(root_, low, high, lines);
+  return lines;
+}
+
+void Territory::add_borders(int child, Point low, Point high, std::vector<Line>& lines) const {
+  if (child < 0) return;
+  const Cut& cut = cuts_[static_cast<std::size_t>(child)];
+  lines.push_back({cut.in_x, cut.at, cut.in_x ? low.y : low.x, cut.in_x ? high.y : high.x});
+  add_borders(cut.low, low, cut.in_x ? Point{cut.at, high.y} : Point{high.x, cut.at}, lines);
+  add_borders(cut.high, cut.in_x ? Point{cut.at, low.y} : Point{low.x, cut.at}, high, lines);
+}
+
 int Territory::owner(const LinkedMesh& mesh, Index t) const { return owner(centroid(mesh, t)); }
 
 std::uint64_t most_owned(const LinkedMesh& mesh, const Territory& territory) {

@@ -22,6 +22,14 @@ class Territory {
   [[nodiscard]] int owner(const LinkedMesh& mesh, Index t) const;
   [[nodiscard]] int workers() const { return workers_; }
 
+  /// A piece of the line x = `at` (or y = `at`), where the other coordinate is from `low` to `high`.
+  struct Line {
+    bool in_x;
+    double at, low, high;
+  };
+  /// The borders between the parts of a box. Each ends at earlier ones or at the box.
+  [[nodiscard]] std::vector<Line> borders(Point low, Point high) const;
+
  private:
   struct Sample {
     Point p;
@@ -35,6 +43,8 @@ class Territory {
   };
   /// Divides the samples among workers `first` to `first` + `count` - 1. Returns the child.
   int divide(std::vector<Sample>& samples, std::size_t from, std::size_t to, int first, int count);
+
+  void add_borders(int child, Point low, Point high, std::vector<Line>& lines) const;
 
   int workers_;
   int root_;
