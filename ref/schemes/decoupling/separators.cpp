@@ -1,0 +1,288 @@
+#include "separators.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "../cells/circumradius.hpp"
+#include "../mesh/predicates.hpp"
+#include "../rules/ruppert.hpp"
+
+namespace pardel::schemes::decoupled {
+namespace {
+
+using Line = Territory::Line;
+
+Point on(const Line& line, double at) { return line.in_x ? Point{line.at, at} : Point{at, line.at}; }
+double along(const Line& line, Point p) { return line.in_x ? p.y : p.x; }
+double across_line(const Line& line, Point p) { return (line.in_x ? p.x : p.y) - line.at; }
+double distance(Point p, Point q) { return std::hypot(p.x - q.x, p.y - q.y); }
+
+bool contains(const LinkedMesh& mesh, Index t, Point p) {
+  for (int i = 0; i < 3; ++i) {
+    const auto [a, b] = ends(mesh, {t, i});
+    if (orientation(mesh.points[a], mesh.points[b], p) < 0) return false;
+  }
+  return true;
+}
+
+class Layer {
+ public:
+  Layer(LinkedMesh& mesh, const Bounds& bounds, double length) : mesh_(mesh), bounds_(bounds), length_(length) {
+    std::map<Index, std::vector<Index>> at;
+    is_sharp_.resize(mesh.segments.size(), false);
+    for (Index s = 0; s < mesh.segments.size(); ++s)
+      for (const Index end : mesh.segments[s]) at[end].push_back(s);
+    for (const auto& [apex, segments] : at)
+      for (const Index s : segments)
+        for (const Index r : segments)
+          if (s != r && cosine(apex, s, r) > 0.5) is_sharp_[s] = true;
+  }
+
+  /// Inserts vertices where the line crosses segments. All lines do so before any is laid: shorter sides are encroached
+  /// upon by fewer points.
+  void cross(const Line& line) { crossings_.push_back(crossings(line)); }
+
+  /// Lays the k-th of the lines.
+  void lay(const std::vector<Line>& lines, std::size_t k) {
+    const Line& line = lines[k];
+    // Where the line is divided in any case: its ends, crossings with other lines, and crossings with segments.
+    std::map<double, Index> stops;
+    for (const Line& other : lines)
+      if (other.in_x != line.in_x && other.at >= line.low && other.at <= line.high && line.at >= other.low &&
+          line.at <= other.high)
+        stops.emplace(other.at, no_index);
+    stops.emplace(line.low, no_index);
+    stops.emplace(line.high, no_index);
+    for (auto& [at, vertex] : stops) vertex = inserted(on(line, at), 0);
+    for (const auto& [at, vertex] : crossings_[k]) stops.insert_or_assign(at, vertex);
+    for (auto here = stops.begin(), next = std::next(here); next != stops.end(); ++here, ++next)
+      lay(line, *here, *next);
+  }
+
+  /// Makes pieces segments.
+  Laid finish() {
+    Laid laid{static_cast<Index>(mesh_.segments.size()), 0, gaps_, work_};
+    std::map<std::array<Index, 2>, bool> wanted;
+    for (const auto& piece : pieces_) wanted.emplace(piece, true);
+    laid.gaps += wanted.size();
+    for (Index t = 0; t < mesh_.faces.size(); ++t)
+      for (int i = 0; mesh_.in_use(t) && i < 3; ++i) {
+        const auto [a, b] = ends(mesh_, {t, i});
+        if (a > b || !wanted.contains({a, b}) || is_constrained(mesh_, {t, i})) continue;
+        if (mesh_.faces[t].n[i] == no_index) continue;
+        const Side twin = across(mesh_, {t, i});
+        const Point p = mesh_.points[a], q = mesh_.points[b];
+        if (encroaches(mesh_.corner(t, i), p, q) || encroaches(mesh_.corner(twin.triangle, twin.i), p, q)) continue;
+        mesh_.faces[t].segment[i] = mesh_.faces[twin.triangle].segment[twin.i] =
+            static_cast<Index>(mesh_.segments.size());
+        mesh_.segments.push_back({a, b});
+        ++laid.pieces;
+        --laid.gaps;
+      }
+    return laid;
+  }
+
+ private:
+  [[nodiscard]] double cosine(Index apex, Index s, Index r) const {
+    const auto direction = [&](Index segment) {
+      const auto& e = mesh_.segments[segment];
+      const Point p = mesh_.points[apex], q = mesh_.points[e[0] == apex ? e[1] : e[0]];
+      const double length = distance(p, q);
+      return Point{(q.x - p.x) / length, (q.y - p.y) / length};
+    };
+    const Point p = direction(s), q = direction(r);
+    return p.x * q.x + p.y * q.y;
+  }
+
+  /// The triangle that contains p: a walk from the last one, or a search where the walk leaves the domain.
+  Index triangle_at(Point p) {
+    if (last_ >= mesh_.faces.size() || !mesh_.in_use(last_)) last_ = 0;
+    Index t = last_;
+    for (std::size_t steps = 0; t != no_index && steps < 100 + mesh_.faces.size() / 16; ++steps, ++work_) {
+      int leave = -1;
+      for (int i = 0; i < 3 && leave < 0; ++i) {
+        const auto [a, b] = ends(mesh_, {t, i});
+        if (orientation(mesh_.points[a], mesh_.points[b], p) < 0) leave = i;
+      }
+      if (leave < 0) return last_ = t;
+      t = mesh_.faces[t].n[leave];
+    }
+    work_ += mesh_.faces.size();
+    for (Index other = 0; other < mesh_.faces.size(); ++other)
+      if (mesh_.in_use(other) && contains(mesh_, other, p)) return last_ = other;
+    return no_index;
+  }
+
+  /// Inserts p. Returns its vertex, or no_index if it would be too close to something. `least`: the least distance from
+  /// other vertices, half the length of a piece. A vertex at p is returned as it is. As in Ruppert's algorithm,
+  /// segments upon which p encroaches are split first, unless they are already as short as a piece.
+  Index inserted(Point p, double least) {
+    for (;;) {
+      const Index t = triangle_at(p);
+      if (t == no_index) return no_index;
+      Insertion found{t, p, {}, {}};
+      std::vector<Index> starts = {t};
+      for (int i = 0; i < 3; ++i) {
+        if (mesh_.corner(t, i) == p) return mesh_.faces[t].v[i];
+        const auto [a, b] = ends(mesh_, {t, i});
+        if (orientation(mesh_.points[a], mesh_.points[b], p) != 0) continue;
+        if (is_constrained(mesh_, {t, i})) return no_index;
+        starts.push_back(mesh_.faces[t].n[i]);
+      }
+      found.cavity = cavity_of(mesh_, p, starts);
+      work_ += found.work();
+      if (const auto side = blocking_side(mesh_, found.cavity, p)) {
+        const auto [a, b] = ends(mesh_, *side);
+        const auto split = split_of(mesh_, *side, bounds_.small_angles());
+        if (!split || !(distance(mesh_.points[a], mesh_.points[b]) > 2 * least) || least == 0) return no_index;
+        work_ += split->work();
+        carried_out(*split);
+        continue;
+      }
+      for (const Index other : found.cavity.triangles)
+        for (const Index v : mesh_.faces[other].v)
+          if (distance(mesh_.points[v], p) < least) return no_index;
+      return can_be_connected(mesh_, found.cavity, p) ? carried_out(found) : no_index;
+    }
+  }
+  Index carried_out(const Insertion& insertion) {
+    last_ = carry_out(mesh_, insertion).front();
+    return static_cast<Index>(mesh_.points.size() - 1);
+  }
+
+  /// The places at which the line crosses segments, each with a new vertex, or no_index for a gap.
+  std::map<double, Index> crossings(const Line& line) {
+    std::vector<std::array<Index, 2>> sides;
+    std::map<double, Index> found;
+    for (Index t = 0; t < mesh_.faces.size(); ++t)
+      for (int i = 0; mesh_.in_use(t) && i < 3; ++i) {
+        const auto [a, b] = ends(mesh_, {t, i});
+        if (!is_constrained(mesh_, {t, i})) continue;
+        if (across_line(line, mesh_.points[a]) * across_line(line, mesh_.points[b]) < 0) sides.push_back({a, b});
+        // The angles at vertices are not examined: there is a gap.
+        for (const Index v : {a, b})
+          if (const double at = along(line, mesh_.points[v]);
+              across_line(line, mesh_.points[v]) == 0 && at >= line.low && at <= line.high)
+            found.emplace(at, no_index);
+      }
+    for (const auto& [a, b] : sides) {
+      const Point p = mesh_.points[a], q = mesh_.points[b];
+      const double share = across_line(line, p) / (across_line(line, p) - across_line(line, q));
+      const double at = along(line, p) + share * (along(line, q) - along(line, p));
+      if (at < line.low || at > line.high) continue;
+      // The side is found again: others may have been split since.
+      const Index t = triangle_with(a, b);
+      if (t != no_index) found.emplace(at, split(line, at, a, b, t));
+    }
+    return found;
+  }
+  Index triangle_with(Index a, Index b) const {
+    for (Index t = 0; t < mesh_.faces.size(); ++t)
+      for (int i = 0; mesh_.in_use(t) && i < 3; ++i)
+        if (ends(mesh_, {t, i}) == std::array{a, b}) return t;
+    return no_index;
+  }
+  Index split(const Line& line, double at, Index a, Index b, Index t) {
+    const Point p = mesh_.points[a], q = mesh_.points[b], x = on(line, at);
+    int i = 0;
+    while (ends(mesh_, {t, i}) != std::array{a, b}) ++i;
+    const Side side{t, i};
+    const bool is_good = std::abs(along(line, q) - along(line, p)) <= 0.5 * distance(p, q);
+    if (!is_good || is_sharp_[mesh_.faces[t].segment[i]] || x == p || x == q) return no_index;
+    Insertion found{t, x, side, {}};
+    std::vector<Index> starts = {t};
+    if (mesh_.faces[t].n[i] != no_index) starts.push_back(mesh_.faces[t].n[i]);
+    found.cavity = cavity_of(mesh_, x, starts);
+    work_ += found.work();
+    return can_be_connected(mesh_, found.cavity, x, side) ? carried_out(found) : no_index;
+  }
+
+  /// The length of a piece at p. Without a wanted size it is that of the mesh there.
+  [[nodiscard]] double piece_at(Point p, Index t) const {
+    double area = bounds_.wanted_area(p, mesh_.faces[t].region);
+    if (!std::isfinite(area)) area = std::abs(twice_area(t)) / 2;
+    return length_ * piece_of_unit_area * std::sqrt(area);
+  }
+  [[nodiscard]] double twice_area(Index t) const {
+    const Point a = mesh_.corner(t, 0), b = mesh_.corner(t, 1), c = mesh_.corner(t, 2);
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+  }
+
+  /// Lays the pieces between two stops.
+  void lay(const Line& line, const std::pair<const double, Index>& from, const std::pair<const double, Index>& to) {
+    const double length = to.first - from.first;
+    const Index t = triangle_at(on(line, from.first + length / 2));
+    if (t == no_index || !(length > 0)) return;
+    std::vector<double> ends = {0};
+    while (ends.back() < length) {
+      const double step = piece_at(on(line, from.first + ends.back()), t);
+      ends.push_back(ends.back() + piece_at(on(line, std::min(from.first + ends.back() + step / 2, to.first)), t));
+    }
+    // The last piece ends too late: all become a little shorter.
+    const double share = length / ends.back();
+    for (double& end : ends) end = from.first + end * share;
+    std::vector<Index> vertices(ends.size(), no_index);
+    vertices.front() = from.second;
+    vertices.back() = to.second;
+    lay_between(line, ends, 0, ends.size() - 1, vertices);
+    for (std::size_t k = 1; k < ends.size(); ++k)
+      if (vertices[k - 1] != no_index && vertices[k] != no_index)
+        pieces_.push_back({std::min(vertices[k - 1], vertices[k]), std::max(vertices[k - 1], vertices[k])});
+      else
+        ++gaps_;
+  }
+  /// Inserts the points between two of a line, the middle ones first: cavities are smaller than from end to end.
+  void lay_between(const Line& line, const std::vector<double>& ends, std::size_t low, std::size_t high,
+                   std::vector<Index>& vertices) {
+    const std::size_t k = (low + high) / 2;
+    if (k == low) return;
+    vertices[k] = inserted(on(line, ends[k]), (ends[k] - ends[k - 1]) / 2);
+    lay_between(line, ends, low, k, vertices);
+    lay_between(line, ends, k, high, vertices);
+  }
+
+  LinkedMesh& mesh_;
+  const Bounds& bounds_;
+  double length_;
+  std::vector<bool> is_sharp_;
+  Index last_ = 0;
+  std::uint64_t work_ = 0;
+  std::size_t gaps_ = 0;
+  std::vector<std::map<double, Index>> crossings_;  ///< of each line
+  std::vector<std::array<Index, 2>> pieces_;
+};
+
+}  // namespace
+
+Plan lattice_plan(const LinkedMesh& mesh, int workers) {
+  const cells::Extent e = cells::extent_of(mesh);
+  const int columns = std::max(1, static_cast<int>(std::sqrt(workers)));
+  const int rows = (workers + columns - 1) / columns;
+  const auto place = [](double low, double length, int k, int count) { return low + length * k / count; };
+  Plan plan{{}, columns * rows, {}};
+  for (int i = 1; i < columns; ++i)
+    plan.lines.push_back({true, place(e.low.x, e.width(), i, columns), e.low.y, e.high.y});
+  for (int j = 1; j < rows; ++j) plan.lines.push_back({false, place(e.low.y, e.height(), j, rows), e.low.x, e.high.x});
+  plan.part_of = [lines = plan.lines, columns](Point p) {
+    int i = 0, j = 0;
+    for (const Line& line : lines) (line.in_x ? i : j) += (line.in_x ? p.x : p.y) >= line.at ? 1 : 0;
+    return i + j * columns;
+  };
+  return plan;
+}
+
+Plan bisection_plan(const LinkedMesh& mesh, const Territory& territory) {
+  const cells::Extent e = cells::extent_of(mesh);
+  return {territory.borders(e.low, e.high), territory.workers(), [&](Point p) { return territory.owner(p); }};
+}
+
+Laid lay(LinkedMesh& mesh, const Bounds& bounds, const Plan& plan, double length) {
+  Layer layer(mesh, bounds, length);
+  for (const Territory::Line& line : plan.lines) layer.cross(line);
+  for (std::size_t k = 0; k < plan.lines.size(); ++k) layer.lay(plan.lines, k);
+  return layer.finish();
+}
+
+}  // namespace pardel::schemes::decoupled
