@@ -1,8 +1,12 @@
 #include "all_schemes.hpp"
 
+#include "decoupling.hpp"
 #include "given_points.hpp"
 #include "independent_cavities.hpp"
 #include "kadow.hpp"
+#include "lattice.hpp"
+#include "quadtree.hpp"
+#include "region_boxes.hpp"
 #include "rounds.hpp"
 #include "sinks.hpp"
 
@@ -69,6 +73,22 @@ const std::vector<Scheme>& all_schemes() {
       {"rounds-by-class", "rounds of the largest disks",
        [](const Problem& p, const Workers& w) {
          return all_rounds(p, w, rules_of_rounds({.batch = Batch::largest_class}));
+       }},
+      {"decoupling", "decoupling",
+       [](const Problem& p, const Workers& w) {
+         return each(p, w, [](const Problem& one) { return decoupling(one); });
+       }},
+      {"lattice", "lattice of cells 4 r wide",
+       [](const Problem& p, const Workers& w) { return each(p, w, [](const Problem& one) { return lattice(one); }); }},
+      {"lattice-2r", "lattice of cells 2 r wide",
+       [](const Problem& p, const Workers& w) {
+         return each(p, w, [](const Problem& one) { return lattice(one, {.side = CellSide::two_radii}); });
+       }},
+      {"quadtree", "quadtree",
+       [](const Problem& p, const Workers& w) { return each(p, w, [](const Problem& one) { return quadtree(one); }); }},
+      {"boxes", "tasks that own boxes",
+       [](const Problem& p, const Workers& w) {
+         return each(p, w, [](const Problem& one) { return region_boxes(one); });
        }},
       {"kadow", "projected parts (Kadow, Walkington)",
        [](const Problem& p, const Workers& w) { return each(p, w, [](const Problem& one) { return kadow(one); }); }},
