@@ -97,7 +97,7 @@ std::size_t refine_sequentially(LinkedMesh& mesh, const Bounds& bounds, std::siz
     const auto insertion = insertion_for(mesh, t, bounds);
     if (!insertion) continue;
     ++insertions;
-    if (work != nullptr) *work += 2 * insertion->work();  // found, and carried out
+    if (work != nullptr) *work += insertion->work();
     const std::vector<Index> made = carry_out(mesh, *insertion);
     waiting.insert(waiting.end(), made.begin(), made.end());
     // A triangle whose circumcentre was rejected is still there.

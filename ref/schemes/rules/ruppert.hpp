@@ -54,7 +54,7 @@ std::vector<Index> carry_out(LinkedMesh& mesh, const Insertion& insertion);
 
 /// Ruppert's algorithm on one worker, the standard with which schemes are compared: while a triangle needs work, work.
 /// Triangles are taken in the order in which they were made. Returns the number of insertions. Stops when the mesh has
-/// `most_points`. Adds what was read and written to `work`, if it is not null.
+/// `most_points`. Adds what was read to `work`, if it is not null.
 std::size_t refine_sequentially(LinkedMesh& mesh, const Bounds& bounds, std::size_t most_points,
                                 std::uint64_t* work = nullptr);
 
