@@ -281,11 +281,12 @@ PARDEL_PROPERTY(CellSchemes, of_two_radii_do_not_depend_on_the_order_if_no_circu
   RC_ASSERT(first == corners_in(refined_in_cells(c, how).mesh));
 }
 
-PARDEL_PROPERTY(CellSchemes, give_each_leaf_a_buffer_zone_of_other_colours,
-                {.statement = "The leaves of a quadtree over a mesh are balanced, no leaf has the colour of a leaf of "
-                              "its buffer zone, and leaves that touch are in each other's buffer zones.",
-                 .source = "properties/THEORY.md, Quadtree (1)",
-                 .families = scheme_families}) {
+PARDEL_PROPERTY(
+    CellSchemes, give_each_leaf_a_buffer_zone_of_other_colours,
+    {.statement = "No leaf of a quadtree over a mesh has the colour of a leaf of its buffer zone, a leaf is in "
+                  "the buffer zones of those in its own, and all circumdisks of the mesh are allowed.",
+     .source = "properties/THEORY.md, Quadtree (1)",
+     .families = scheme_families}) {
   const SchemeCase c = some_scheme_case(exhibit);
   schemes::Start start = some_start(c);
   schemes::refine_sequentially(start.mesh, start.bounds, 1'000'000);

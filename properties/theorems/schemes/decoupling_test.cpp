@@ -160,8 +160,8 @@ PARDEL_PROPERTY(Decoupling, sends_no_message_after_the_start,
 
 PARDEL_PROPERTY(
     Decoupling, has_parts_that_do_not_know_of_each_other,
-    {.statement = "The mesh does not depend on the order in which the parts are refined, also if separators "
-                  "have gaps.",
+    {.statement = "The work of the parts and what they give up do not depend on the order in which they are "
+                  "refined, also if separators have gaps. If nothing is given up, neither does the mesh.",
      .source = "Linardakis, Chrisochoides 2006",
      .families = scheme_families}) {
   SchemeCase c = some_scheme_case(exhibit);
@@ -181,9 +181,9 @@ PARDEL_PROPERTY(
 
 PARDEL_PROPERTY(
     Decoupling, keeps_separators_between_parts,
-    {.statement = "In the mesh before the parts are refined, every side between two parts is a separator, a "
-                  "segment, or one of a gap; a separator has an empty diametral circle and meets segments "
-                  "at 60 degrees or more unless they end there; none is left at the end.",
+    {.statement = "In the mesh before the parts are refined, no corner encroaches upon a separator beside it, and "
+                  "if there is no gap, every side between two parts is constrained. No separator is left "
+                  "at the end.",
      .source = "Linardakis, Chrisochoides 2006",
      .families = scheme_families}) {
   const SchemeCase c = some_scheme_case(exhibit);
