@@ -132,7 +132,6 @@ class Parts {
     return std::nullopt;
   }
   std::optional<Insertion> insertion_of(Index t, int part) {
-    ++work_;
     if (const auto side = encroached(t)) return split(*side, part);
     if (!bounds_.is_large(mesh_, t) && !bounds_.is_thin(mesh_, t)) return std::nullopt;
     Insertion found{t, circumcentre(mesh_, t), {}, {}};

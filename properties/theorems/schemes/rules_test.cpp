@@ -63,7 +63,7 @@ PARDEL_PROPERTY(SchemeRules, cavities_are_those_of_the_definition,
   const LinkedMesh mesh = some_refined_mesh(c, start);
   const ref::PlainMesh plain = ref::to_plain_mesh(schemes::to_mesh(mesh, c.pslg));
   bool large = false, beside_a_segment = false;
-  for (Index t = 0; t < mesh.faces.size() && t < 20; ++t) {
+  for (Index t = 0; t < mesh.faces.size() && t < 8; ++t) {
     const Point centre = schemes::circumcentre(mesh, t);
     const ref::ExactPoint p = ref::exact(centre);
     // A centre on a segment belongs to both sides of it.
