@@ -40,14 +40,14 @@ void Speculation::add_if_bad(int from, Index t, std::uint64_t ready) {
   account_.bytes += bytes_of_triangle;
 }
 
-bool Speculation::wins(const SpeculativeAttempt& attempt, int w, int holder) const {
+bool Speculation::wins(std::uint64_t age, int w, int holder) const {
   const SpeculativeAttempt& other = *workers_[place(holder)].attempt;
   if (other.writes > 0) return false;
   switch (precedence_) {
     case Precedence::lower_worker:
       return w < holder;
     case Precedence::older_insertion:
-      return attempt.task.age < other.task.age;
+      return age < other.task.age;
     case Precedence::nobody:
       break;
   }
@@ -56,16 +56,11 @@ bool Speculation::wins(const SpeculativeAttempt& attempt, int w, int holder) con
 
 int Speculation::would_set_back(int w) const {
   const SpeculativeWorker& me = workers_[place(w)];
-  SpeculativeAttempt fresh;
-  if (!me.attempt) {
-    fresh.task = me.queue.front();
-    fresh.next = fresh.task.triangle;
-    if (fresh.task.age == 0) fresh.task.age = begun_ + 1;
-  }
-  const SpeculativeAttempt& attempt = me.attempt ? *me.attempt : fresh;
-  const int other = attempt.next == no_index ? no_worker : holder(attempt.next);
+  const SpeculativeTask& task = me.attempt ? me.attempt->task : me.queue.front();
+  const Index next = me.attempt ? me.attempt->next : task.triangle;
+  const int other = next == no_index ? no_worker : holder(next);
   if (other == no_worker || other == w) return no_worker;
-  return wins(attempt, w, other) ? other : w;
+  return wins(task.age == 0 ? begun_ + 1 : task.age, w, other) ? other : w;
 }
 
 /// Nave, Chrisochoides and Chew, Section 4: a lock on a triangle of another worker's part is a request and an answer.
@@ -80,7 +75,7 @@ bool Speculation::take_lock(int w, Index t) {
   }
   if (mark.holder != no_worker) {
     const int other = mark.holder;
-    if (!wins(*me.attempt, w, other)) return false;
+    if (!wins(me.attempt->task.age, w, other)) return false;
     workers_[place(other)].clock = std::max(workers_[place(other)].clock, me.clock);
     ++counts_.taken_away;
     ++account_.messages;

@@ -66,7 +66,7 @@ class Speculation {
  private:
   [[nodiscard]] static std::size_t place(int w) { return static_cast<std::size_t>(w); }
   void add_if_bad(int from, Index t, std::uint64_t ready);
-  [[nodiscard]] bool wins(const SpeculativeAttempt& attempt, int w, int holder) const;
+  [[nodiscard]] bool wins(std::uint64_t age, int w, int holder) const;
   [[nodiscard]] bool take_lock(int w, Index t);
   void release(int w, const std::vector<Index>& except, bool changed);
   void set_back(int w);
