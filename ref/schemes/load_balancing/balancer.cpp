@@ -1,0 +1,355 @@
+#include "balancer.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+#include "../workers/random.hpp"
+
+namespace pardel::schemes {
+namespace {
+
+/// Of a request, a refusal, a wave, and the head of any other message.
+constexpr std::uint64_t bytes_of_head = 16;
+/// The pause after a refusal doubles up to this many latencies.
+constexpr std::uint64_t longest_pause = 64;
+
+}  // namespace
+
+Balancer::Balancer(const TileLattice& lattice, std::vector<int> owners, std::vector<std::uint64_t> sizes, int workers,
+                   const BalancingRules& rules, Account& account, BalancingCounts& counts)
+    : lattice_(lattice),
+      rules_(rules),
+      account_(account),
+      counts_(counts),
+      tiles_(owners.size()),
+      workers_(at(workers)),
+      reports_(at(workers)) {
+  for (std::size_t k = 0; k < tiles_.size(); ++k) {
+    tiles_[k].owner = owners[k];
+    tiles_[k].size = sizes[k];
+  }
+  now_ = account.critical;
+}
+
+/// The broadcast that begins a phase names the tiles that run, and where all are.
+void Balancer::begin_phase() {
+  now_ = account_.critical;
+  ended_ = has_wave_before_ = false;
+  busy_ = 0;
+  for (Worker& worker : workers_) worker = {};
+  for (Tile& tile : tiles_) tile.runs = !tile.items.empty();
+  for (int k = 0; k < lattice_.count(); ++k) {
+    Tile& tile = tiles_[at(k)];
+    tile.awaited = 0;
+    tile.known.clear();
+    if (!tile.runs) continue;
+    ++unfinished_;
+    for (const int n : lattice_.neighbours(k)) {
+      tile.known[n] = tiles_[at(n)].owner;
+      if (tiles_[at(n)].runs && lattice_.colour(n) < lattice_.colour(k)) ++tile.awaited;
+    }
+    Worker& worker = workers_[at(tile.owner)];
+    wait(worker, k);
+    if (tile.awaited == 0) worker.ready.insert({lattice_.colour(k), k});
+  }
+}
+
+void Balancer::wait(Worker& worker, int tile) {
+  worker.waiting.insert({tiles_[at(tile)].items.size(), tile});
+  worker.load += tiles_[at(tile)].items.size();
+}
+
+void Balancer::stop_waiting(Worker& worker, int tile) {
+  worker.waiting.erase({tiles_[at(tile)].items.size(), tile});
+  worker.load -= tiles_[at(tile)].items.size();
+}
+
+void Balancer::post(Event event, std::uint64_t delay) {
+  event.time = now_ + delay;
+  event.number = ++numbered_;
+  events_.push_back(std::move(event));
+  std::ranges::push_heap(events_, Later{});
+}
+
+void Balancer::send(Event event, std::uint64_t bytes) {
+  ++account_.messages;
+  account_.bytes += bytes;
+  post(std::move(event), rules_.latency + mixed(rules_.seed + numbered_) % (rules_.latency + 1));
+}
+
+bool Balancer::run_phase(const Work& work, BalancingTrace* trace) {
+  begin_phase();
+  if (unfinished_ == 0) return false;
+  const std::uint64_t begin = now_;
+  for (int w = 0; w < static_cast<int>(workers_.size()); ++w) begin_run(w, work);
+  join_wave(0);
+  while (!ended_) {
+    std::ranges::pop_heap(events_, Later{});
+    Event event = std::move(events_.back());
+    events_.pop_back();
+    now_ = event.time;
+    handle(std::move(event), work, trace);
+  }
+  events_.clear();                                               // requests and answers without tiles
+  now_ += rules_.latency * std::bit_width(workers_.size() - 1);  // the announcement
+  counts_.idle += (now_ - begin) * workers_.size() - busy_;
+  account_.critical = now_;
+  ++account_.rounds;
+  ++account_.barriers;
+  return true;
+}
+
+void Balancer::handle(Event event, const Work& work, BalancingTrace* trace) {
+  const int w = event.to;
+  switch (event.kind) {
+    case Kind::end_of_run:
+      end_run(w, trace);
+      break;
+    case Kind::for_tile:
+      receive_for_tile(std::move(event));
+      break;
+    case Kind::request:
+      answer(w, event.from, trace);
+      break;
+    case Kind::refusal: {
+      Worker& me = workers_[at(w)];
+      me.pause = std::min(std::max(2 * me.pause, rules_.latency + 1), longest_pause * (rules_.latency + 1));
+      post({.kind = Kind::try_again, .from = w, .to = w}, me.pause);
+      break;
+    }
+    case Kind::try_again:
+      workers_[at(w)].asks = false;
+      break;
+    case Kind::tiles:
+      take(event);
+      break;
+    case Kind::wave_down:
+      join_wave(w);
+      break;
+    case Kind::wave_up:
+      workers_[at(w)].sent_below += event.sent;
+      workers_[at(w)].received_below += event.received;
+      --workers_[at(w)].replies;
+      break;
+  }
+  begin_run(w, work);
+  reply(w);
+}
+
+/// Takes the next tile of the lowest colour that waits for nothing, or asks for one.
+void Balancer::begin_run(int w, const Work& work) {
+  Worker& me = workers_[at(w)];
+  if (me.running >= 0) return;
+  if (me.ready.empty()) return ask(w);
+  const int k = me.ready.begin()->second;
+  me.ready.erase(me.ready.begin());
+  Tile& tile = tiles_[at(k)];
+  stop_waiting(me, k);
+  tile.runs = false;
+  me.running = k;
+  me.begun = now_;
+  reports_[at(w)] = work(k, std::exchange(tile.items, {}));
+  post({.kind = Kind::end_of_run, .from = w, .to = w}, reports_[at(w)].work);
+}
+
+/// The neighbours of a higher colour learn that the tile has run; all get their new bad triangles.
+void Balancer::end_run(int w, BalancingTrace* trace) {
+  Worker& me = workers_[at(w)];
+  const int k = std::exchange(me.running, -1);
+  TileReport report = std::exchange(reports_[at(w)], {});
+  tiles_[at(k)].size += 2 * report.insertions;
+  busy_ += report.work;
+  account_.work += report.work;
+  account_.wasted += report.wasted;
+  if (trace != nullptr) trace->runs.push_back({me.begun, now_, k, w});
+  std::map<int, std::vector<TileItem>> by_tile;
+  for (const auto& [tile, item] : report.handed_on) by_tile[tile].push_back(item);
+  for (const int n : lattice_.neighbours(k)) {
+    const bool is_awaited = tiles_[at(n)].runs && lattice_.colour(n) > lattice_.colour(k);
+    auto items = by_tile.find(n);
+    if (!is_awaited && items == by_tile.end()) continue;
+    Event event{.kind = Kind::for_tile, .from = w, .tile = n, .about = is_awaited ? k : -1};
+    if (items != by_tile.end()) event.items = std::move(items->second);
+    to_tile(w, tiles_[at(k)], std::move(event));
+  }
+  --unfinished_;
+}
+
+/// Sends an event to a neighbour of a tile that worker w has, to the place where it went from here, or was last heard
+/// of.
+void Balancer::to_tile(int w, const Tile& sender, Event event) {
+  const Tile& tile = tiles_[at(event.tile)];
+  Worker& me = workers_[at(w)];
+  if (tile.owner == w && !tile.in_flight) return deliver(event);
+  const auto gone = me.gone_to.find(event.tile);
+  event.to = gone != me.gone_to.end() ? gone->second : sender.known.at(event.tile);
+  ++me.sent;
+  ++counts_.sent;
+  ++in_flight_;
+  const std::uint64_t bytes = bytes_of_head + bytes_of_triangle * event.items.size();
+  send(std::move(event), bytes);
+}
+
+void Balancer::receive_for_tile(Event event) {
+  const int w = event.to;
+  Tile& tile = tiles_[at(event.tile)];
+  Worker& me = workers_[at(w)];
+  if (tile.owner != w) {
+    ++counts_.forwarded;
+    event.to = me.gone_to.at(event.tile);
+    const std::uint64_t bytes = bytes_of_head + bytes_of_triangle * event.items.size();
+    return send(std::move(event), bytes);
+  }
+  if (tile.in_flight) {
+    ++counts_.held;
+    tile.early.push_back(std::move(event));
+    return;
+  }
+  ++me.received;
+  ++counts_.received;
+  --in_flight_;
+  deliver(event);
+}
+
+void Balancer::deliver(const Event& event) {
+  Tile& tile = tiles_[at(event.tile)];
+  Worker& me = workers_[at(tile.owner)];
+  if (tile.runs) stop_waiting(me, event.tile);
+  tile.items.insert(tile.items.end(), event.items.begin(), event.items.end());
+  if (tile.runs) wait(me, event.tile);
+  if (event.about < 0) return;
+  tile.known[event.about] = event.from;
+  if (--tile.awaited == 0) me.ready.insert({lattice_.colour(event.tile), event.tile});
+}
+
+int Balancer::victim_of(int w) {
+  const auto workers = static_cast<int>(workers_.size());
+  Worker& me = workers_[at(w)];
+  ++me.asked;
+  switch (rules_.victim) {
+    case Victim::random: {
+      const std::uint64_t drawn = mixed(mixed(rules_.seed + static_cast<std::uint64_t>(w)) + counts_.requests);
+      return (w + 1 + static_cast<int>(drawn % static_cast<std::uint64_t>(workers - 1))) % workers;
+    }
+    case Victim::neighbour: {
+      const auto step = static_cast<int>((me.asked + 1) / 2 % static_cast<std::uint64_t>(workers));
+      return (w + (me.asked % 2 == 1 ? step : workers - step)) % workers;
+    }
+    case Victim::most_loaded: {
+      int most = w;
+      for (int v = 0; v < workers; ++v)
+        if (v != w && workers_[at(v)].load > (most == w ? 0 : workers_[at(most)].load)) most = v;
+      return most;
+    }
+    case Victim::nobody:
+      break;
+  }
+  return w;
+}
+
+void Balancer::ask(int w) {
+  Worker& me = workers_[at(w)];
+  if (rules_.victim == Victim::nobody || workers_.size() == 1 || me.asks) return;
+  me.asks = true;
+  const int victim = victim_of(w);
+  if (victim == w) return post({.kind = Kind::try_again, .from = w, .to = w}, rules_.latency + 1);
+  ++counts_.requests;
+  send({.kind = Kind::request, .from = w, .to = victim}, bytes_of_head);
+}
+
+/// Barker et al., Section 4: the heaviest tiles that have not begun move, but a worker keeps one for itself.
+void Balancer::answer(int w, int asker, BalancingTrace* trace) {
+  Worker& me = workers_[at(w)];
+  const std::size_t kept = me.running >= 0 ? 0 : 1;
+  Event event{.kind = Kind::tiles, .from = w, .to = asker};
+  std::uint64_t bytes = bytes_of_head;
+  while (me.waiting.size() > kept && static_cast<int>(event.moved.size()) < rules_.tiles_moved) {
+    const int k = me.waiting.rbegin()->second;
+    Tile& tile = tiles_[at(k)];
+    stop_waiting(me, k);
+    me.ready.erase({lattice_.colour(k), k});
+    me.gone_to[k] = asker;
+    tile.owner = asker;
+    tile.in_flight = true;
+    bytes += bytes_of_triangle * tile.size;
+    event.moved.push_back(k);
+    ++counts_.migrations;
+    if (trace != nullptr) trace->moves.push_back({now_, 0, k, w, asker});
+  }
+  if (event.moved.empty()) {
+    ++counts_.refusals;
+    return send({.kind = Kind::refusal, .from = w, .to = asker}, bytes_of_head);
+  }
+  ++me.sent;
+  ++counts_.sent;
+  ++in_flight_;
+  send(std::move(event), bytes);
+}
+
+void Balancer::take(const Event& event) {
+  const int w = event.to;
+  Worker& me = workers_[at(w)];
+  me.asks = false;
+  me.pause = 0;
+  ++me.received;
+  ++counts_.received;
+  --in_flight_;
+  for (const int k : event.moved) {
+    Tile& tile = tiles_[at(k)];
+    tile.in_flight = false;
+    me.gone_to.erase(k);
+    wait(me, k);
+    if (tile.awaited == 0) me.ready.insert({lattice_.colour(k), k});
+    for (Event& each : std::exchange(tile.early, {})) receive_for_tile(std::move(each));
+  }
+}
+
+/// A wave goes down a binary tree of workers, and comes up again with the sums of their counters.
+void Balancer::join_wave(int w) {
+  Worker& me = workers_[at(w)];
+  me.in_wave = true;
+  me.replies = 0;
+  me.sent_below = me.received_below = 0;
+  for (const int child : {2 * w + 1, 2 * w + 2})
+    if (child < static_cast<int>(workers_.size())) {
+      ++me.replies;
+      send({.kind = Kind::wave_down, .from = w, .to = child}, bytes_of_head);
+    }
+}
+
+/// A worker replies when it has nothing to do, with the counters of that moment.
+void Balancer::reply(int w) {
+  Worker& me = workers_[at(w)];
+  if (!me.in_wave || me.replies > 0 || me.running >= 0 || !me.ready.empty()) return;
+  me.in_wave = false;
+  me.sent_below += me.sent;
+  me.received_below += me.received;
+  if (w == 0) return judge();
+  Event event{.kind = Kind::wave_up, .from = w, .to = (w - 1) / 2};
+  event.sent = me.sent_below;
+  event.received = me.received_below;
+  send(std::move(event), bytes_of_head);
+}
+
+/// Mattern, Section 6.1: as many messages were received when the first wave passed as were sent when the second one
+/// did. Between the two waves there was a moment at which all of them had been received and nobody was active.
+void Balancer::judge() {
+  ++counts_.waves;
+  const Worker& root = workers_[0];
+  const bool announces = rules_.detection == Detection::one_wave
+                             ? root.sent_below == root.received_below
+                             : has_wave_before_ && received_before_ == root.sent_below;
+  if (announces && has_ended()) {
+    ended_ = true;
+    return;
+  }
+  if (announces) ++counts_.false_ends;
+  has_wave_before_ = true;
+  received_before_ = root.received_below;
+  post({.kind = Kind::wave_down, .from = 0, .to = 0}, rules_.latency + 1);
+}
+
+bool Balancer::has_ended() const { return unfinished_ == 0 && in_flight_ == 0; }
+
+}  // namespace pardel::schemes

@@ -1,0 +1,192 @@
+#include "tiles.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <numeric>
+
+namespace pardel::schemes {
+namespace {
+
+/// Where a triangle lies: its corners, beginning with the least.
+std::array<double, 6> place_of(const LinkedMesh& mesh, Index t) {
+  std::array<std::array<double, 2>, 3> p;
+  for (std::size_t i = 0; i < 3; ++i) p[i] = {mesh.points[mesh.faces[t].v[i]].x, mesh.points[mesh.faces[t].v[i]].y};
+  std::rotate(p.begin(), std::ranges::min_element(p), p.end());
+  return {p[0][0], p[0][1], p[1][0], p[1][1], p[2][0], p[2][1]};
+}
+
+bool reaches_all(const TileLattice& lattice, int tile, const LinkedMesh& mesh, const Cavity& cavity) {
+  return std::ranges::all_of(cavity.triangles, [&](Index t) { return lattice.reaches(tile, mesh, t); });
+}
+
+/// The work for one item: the insertion, if the tile reaches all that it changes.
+std::optional<Insertion> within_reach(const LinkedMesh& mesh, const TileRules& rules, int tile, Index t,
+                                      std::uint64_t& work) {
+  std::optional<Insertion> found = insertion_for(mesh, t, rules.bounds);
+  if (!found) return std::nullopt;
+  work += found->work();
+  if (!reaches_all(rules.lattice, tile, mesh, found->cavity)) return std::nullopt;
+  // Which segment a circumcentre encroaches upon depends on its cavity, which must not reach farther either.
+  if (found->splits_segment() && !encroached_side(mesh, t)) {
+    const Cavity rejected = cavity_of(mesh, circumcentre(mesh, t), {t});
+    work += rejected.triangles.size() + rejected.boundary.size();
+    if (!reaches_all(rules.lattice, tile, mesh, rejected)) return std::nullopt;
+  }
+  return found;
+}
+
+/// Moves values[k] to place number[k].
+template <class T>
+void permute(std::vector<T>& values, const std::vector<Index>& number) {
+  std::vector<T> moved(values.size());
+  for (std::size_t k = 0; k < values.size(); ++k) moved[number[k]] = std::move(values[k]);
+  values = std::move(moved);
+}
+
+/// number[k] of the k-th element in the order: 0 for the first one.
+template <class Less>
+std::vector<Index> numbers(std::size_t size, std::size_t from, const Less& less) {
+  std::vector<Index> order(size), number(size);
+  std::iota(order.begin(), order.end(), Index{0});
+  std::sort(order.begin() + static_cast<std::ptrdiff_t>(from), order.end(), less);
+  for (std::size_t k = 0; k < size; ++k) number[order[k]] = static_cast<Index>(k);
+  return number;
+}
+
+}  // namespace
+
+TileLattice::TileLattice(const LinkedMesh& mesh, int per_side)
+    : low_{INFINITY, INFINITY}, side_(0), per_side_(per_side) {
+  Point high{-INFINITY, -INFINITY};
+  for (const Point p : mesh.points) {
+    low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  side_ = std::max(high.x - low_.x, high.y - low_.y) / per_side;
+}
+
+int TileLattice::tile_of(Point p) const {
+  const auto cell = [&](double x) { return std::clamp(static_cast<int>(std::floor(x / side_)), 0, per_side_ - 1); };
+  return cell(p.x - low_.x) + per_side_ * cell(p.y - low_.y);
+}
+
+int TileLattice::tile_of(const LinkedMesh& mesh, Index t) const {
+  const Point a = mesh.corner(t, 0), b = mesh.corner(t, 1), c = mesh.corner(t, 2);
+  return tile_of(Point{(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3});
+}
+
+Point TileLattice::centre(int tile) const {
+  return {low_.x + (tile % per_side_ + 0.5) * side_, low_.y + (tile / per_side_ + 0.5) * side_};
+}
+
+std::vector<int> TileLattice::neighbours(int tile) const {
+  std::vector<int> found;
+  const int i = tile % per_side_, j = tile / per_side_;
+  for (int y = std::max(j - 1, 0); y <= std::min(j + 1, per_side_ - 1); ++y)
+    for (int x = std::max(i - 1, 0); x <= std::min(i + 1, per_side_ - 1); ++x)
+      if (x != i || y != j) found.push_back(x + per_side_ * y);
+  return found;
+}
+
+bool TileLattice::reaches(int tile, const LinkedMesh& mesh, Index t) const {
+  const auto within = [&](double x, double low, int i) {
+    // The upper end of one zone and the lower end of the next one of its colour are the same double.
+    return x >= low + (i - 0.5) * side_ && x < low + (i + 2 - 0.5) * side_;
+  };
+  for (int k = 0; k < 3; ++k) {
+    const Point p = mesh.corner(t, k);
+    if (!within(p.x, low_.x, tile % per_side_) || !within(p.y, low_.y, tile / per_side_)) return false;
+  }
+  return true;
+}
+
+void sort_by_place(const LinkedMesh& mesh, std::vector<TileItem>& items) {
+  std::ranges::sort(items, [&](const TileItem& a, const TileItem& b) {
+    return place_of(mesh, a.triangle) < place_of(mesh, b.triangle);
+  });
+}
+
+int tile_for(const LinkedMesh& mesh, Index t, const TileLattice& lattice) {
+  const int tile = lattice.tile_of(mesh, t);
+  return lattice.reaches(tile, mesh, t) ? tile : -1;
+}
+
+bool is_due(const LinkedMesh& mesh, Index t, double least_radius) {
+  if (least_radius <= 0) return true;
+  const Point p = circumcentre(mesh, t), a = mesh.corner(t, 0);
+  return !(std::hypot(p.x - a.x, p.y - a.y) <= least_radius);
+}
+
+TileReport work_on_tile(LinkedMesh& mesh, const TileRules& rules, int tile, std::vector<TileItem> items) {
+  TileReport report;
+  std::erase_if(items, [&](const TileItem& each) { return !is_alive(mesh, each); });
+  sort_by_place(mesh, items);
+  std::deque<TileItem> queue(items.begin(), items.end());
+  const auto add_if_bad = [&](Index t) {
+    if (!needs_work(mesh, t, rules.bounds)) return;
+    if (!is_due(mesh, t, rules.least_radius)) return report.later.push_back(item(mesh, t));
+    const int other = tile_for(mesh, t, rules.lattice);
+    if (other == tile) return queue.push_back(item(mesh, t));
+    if (other < 0) return report.left.push_back(item(mesh, t));
+    report.handed_on.push_back({other, item(mesh, t)});
+  };
+  for (; !queue.empty() && mesh.points.size() <= rules.most_points; queue.pop_front()) {
+    ++report.work;
+    const TileItem next = queue.front();
+    if (!is_alive(mesh, next)) continue;
+    std::uint64_t work = 0;
+    const auto insertion = within_reach(mesh, rules, tile, next.triangle, work);
+    report.work += work;
+    if (!insertion) {
+      report.wasted += work;
+      report.left.push_back(next);
+      continue;
+    }
+    const std::vector<Index> made = carry_out(mesh, *insertion);
+    report.work += made.size();
+    ++report.insertions;
+    std::ranges::for_each(made, add_if_bad);
+    if (is_alive(mesh, next)) queue.push_back(next);
+  }
+  return report;
+}
+
+TileReport work_alone(LinkedMesh& mesh, const TileRules& rules, std::vector<TileItem> items) {
+  TileReport report;
+  std::erase_if(items, [&](const TileItem& each) { return !is_alive(mesh, each); });
+  sort_by_place(mesh, items);
+  std::deque<TileItem> queue(items.begin(), items.end());
+  for (; !queue.empty() && mesh.points.size() <= rules.most_points; queue.pop_front()) {
+    ++report.work;
+    const TileItem next = queue.front();
+    if (!is_alive(mesh, next)) continue;
+    const auto insertion = insertion_for(mesh, next.triangle, rules.bounds);
+    if (!insertion) continue;
+    const std::vector<Index> made = carry_out(mesh, *insertion);
+    report.work += insertion->work() + made.size();
+    for (const Index t : made)
+      if (needs_work(mesh, t, rules.bounds))
+        is_due(mesh, t, rules.least_radius) ? queue.push_back(item(mesh, t)) : report.later.push_back(item(mesh, t));
+    if (is_alive(mesh, next)) queue.push_back(next);
+  }
+  return report;
+}
+
+void number_by_place(LinkedMesh& mesh, std::size_t inputs) {
+  const std::vector<Index> points = numbers(mesh.points.size(), inputs, [&](Index a, Index b) {
+    return std::pair(mesh.points[a].x, mesh.points[a].y) < std::pair(mesh.points[b].x, mesh.points[b].y);
+  });
+  permute(mesh.points, points);
+  permute(mesh.segment_of, points);
+  for (Face& face : mesh.faces)
+    for (Index& v : face.v) v = points[v];
+  const std::vector<Index> faces =
+      numbers(mesh.faces.size(), 0, [&](Index a, Index b) { return mesh.faces[a].v < mesh.faces[b].v; });
+  permute(mesh.faces, faces);
+  for (Face& face : mesh.faces)
+    for (Index& n : face.n)
+      if (n != no_index) n = faces[n];
+}
+
+}  // namespace pardel::schemes
