@@ -75,8 +75,9 @@ class Levels {
     std::vector<std::uint64_t> sizes(static_cast<std::size_t>(rules.lattice.count()), 0);
     for (Index t = 0; t < mesh_.faces.size(); ++t)
       if (mesh_.in_use(t)) ++sizes[static_cast<std::size_t>(rules.lattice.tile_of(mesh_, t))];
-    Balancer balancer(rules.lattice, placed(rules.lattice), std::move(sizes), problem_.workers, options_.rules,
-                      account_, counts_);
+    const std::vector<int> owners = placed(rules.lattice);
+    if (options_.traces) traces_.push_back({rules.lattice.per_side(), owners, {}});
+    Balancer balancer(rules.lattice, owners, std::move(sizes), problem_.workers, options_.rules, account_, counts_);
     std::vector<TileItem> left;
     for (const TileItem& each : std::exchange(later_, {})) {
       if (!is_alive(mesh_, each)) continue;
@@ -95,7 +96,6 @@ class Levels {
       later_.insert(later_.end(), report.later.begin(), report.later.end());
       return report;
     };
-    if (options_.traces) traces_.emplace_back();
     while (has_room() && balancer.run_phase(work, options_.traces ? &traces_.back() : nullptr)) {
     }
     std::vector<std::uint64_t> held(static_cast<std::size_t>(problem_.workers), 0);

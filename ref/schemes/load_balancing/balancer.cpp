@@ -55,6 +55,10 @@ void Balancer::begin_phase() {
   }
 }
 
+void Balancer::note(BalancingTrace::What what, int tile, int worker, int receiver) {
+  if (trace_ != nullptr) trace_->events.push_back({what, now_, tile, worker, receiver});
+}
+
 void Balancer::wait(Worker& worker, int tile) {
   worker.waiting.insert({tiles_[at(tile)].items.size(), tile});
   worker.load += tiles_[at(tile)].items.size();
@@ -79,6 +83,7 @@ void Balancer::send(Event event, std::uint64_t bytes) {
 }
 
 bool Balancer::run_phase(const Work& work, BalancingTrace* trace) {
+  trace_ = trace;
   begin_phase();
   if (unfinished_ == 0) return false;
   const std::uint64_t begin = now_;
@@ -89,7 +94,7 @@ bool Balancer::run_phase(const Work& work, BalancingTrace* trace) {
     Event event = std::move(events_.back());
     events_.pop_back();
     now_ = event.time;
-    handle(std::move(event), work, trace);
+    handle(std::move(event), work);
   }
   events_.clear();                                               // requests and answers without tiles
   now_ += rules_.latency * std::bit_width(workers_.size() - 1);  // the announcement
@@ -100,17 +105,17 @@ bool Balancer::run_phase(const Work& work, BalancingTrace* trace) {
   return true;
 }
 
-void Balancer::handle(Event event, const Work& work, BalancingTrace* trace) {
+void Balancer::handle(Event event, const Work& work) {
   const int w = event.to;
   switch (event.kind) {
     case Kind::end_of_run:
-      end_run(w, trace);
+      end_run(w);
       break;
     case Kind::for_tile:
       receive_for_tile(std::move(event));
       break;
     case Kind::request:
-      answer(w, event.from, trace);
+      answer(w, event.from);
       break;
     case Kind::refusal: {
       Worker& me = workers_[at(w)];
@@ -148,13 +153,13 @@ void Balancer::begin_run(int w, const Work& work) {
   stop_waiting(me, k);
   tile.runs = false;
   me.running = k;
-  me.begun = now_;
+  note(BalancingTrace::What::begun, k, w, w);
   reports_[at(w)] = work(k, std::exchange(tile.items, {}));
   post({.kind = Kind::end_of_run, .from = w, .to = w}, reports_[at(w)].work);
 }
 
 /// The neighbours of a higher colour learn that the tile has run; all get their new bad triangles.
-void Balancer::end_run(int w, BalancingTrace* trace) {
+void Balancer::end_run(int w) {
   Worker& me = workers_[at(w)];
   const int k = std::exchange(me.running, -1);
   TileReport report = std::exchange(reports_[at(w)], {});
@@ -162,7 +167,7 @@ void Balancer::end_run(int w, BalancingTrace* trace) {
   busy_ += report.work;
   account_.work += report.work;
   account_.wasted += report.wasted;
-  if (trace != nullptr) trace->runs.push_back({me.begun, now_, k, w});
+  note(BalancingTrace::What::ended, k, w, w);
   std::map<int, std::vector<TileItem>> by_tile;
   for (const auto& [tile, item] : report.handed_on) by_tile[tile].push_back(item);
   for (const int n : lattice_.neighbours(k)) {
@@ -259,7 +264,7 @@ void Balancer::ask(int w) {
 }
 
 /// Barker et al., Section 4: the heaviest tiles that have not begun move, but a worker keeps one for itself.
-void Balancer::answer(int w, int asker, BalancingTrace* trace) {
+void Balancer::answer(int w, int asker) {
   Worker& me = workers_[at(w)];
   const std::size_t kept = me.running >= 0 ? 0 : 1;
   Event event{.kind = Kind::tiles, .from = w, .to = asker};
@@ -275,7 +280,7 @@ void Balancer::answer(int w, int asker, BalancingTrace* trace) {
     bytes += bytes_of_triangle * tile.size;
     event.moved.push_back(k);
     ++counts_.migrations;
-    if (trace != nullptr) trace->moves.push_back({now_, 0, k, w, asker});
+    note(BalancingTrace::What::left, k, w, asker);
   }
   if (event.moved.empty()) {
     ++counts_.refusals;
@@ -299,6 +304,7 @@ void Balancer::take(const Event& event) {
     Tile& tile = tiles_[at(k)];
     tile.in_flight = false;
     me.gone_to.erase(k);
+    note(BalancingTrace::What::arrived, k, w, w);
     wait(me, k);
     if (tile.awaited == 0) me.ready.insert({lattice_.colour(k), k});
     for (Event& each : std::exchange(tile.early, {})) receive_for_tile(std::move(each));

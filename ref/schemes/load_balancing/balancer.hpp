@@ -51,18 +51,19 @@ struct BalancingCounts {
   friend bool operator==(const BalancingCounts&, const BalancingCounts&) = default;
 };
 
-/// What happened to tiles, in the order of time.
+/// What happened to the tiles of one level, in the order of time.
 struct BalancingTrace {
-  struct Move {
-    std::uint64_t sent, arrived;
-    int tile, from, to;
+  enum class What : std::uint8_t { left, arrived, begun, ended };
+  struct Event {
+    What what;
+    std::uint64_t time;
+    int tile;
+    int worker;    ///< that has the tile before and after this, or that sent or received it
+    int receiver;  ///< of a tile that left; else the same worker
   };
-  struct Run {
-    std::uint64_t begin, end;
-    int tile, worker;
-  };
-  std::vector<Move> moves;
-  std::vector<Run> runs;
+  int per_side = 0;               ///< of the lattice
+  std::vector<int> first_owners;  ///< of each tile
+  std::vector<Event> events;
 };
 
 /// The phases of one level. A tile runs in a phase if it has items when the phase begins; before that it hears from all
@@ -79,7 +80,7 @@ class Balancer {
   /// A bad triangle of a tile, before the phase.
   void add(int tile, const TileItem& item) { tiles_[at(tile)].items.push_back(item); }
   /// Runs one phase. Returns whether any tile had items. Adds what happened to the trace if there is one.
-  bool run_phase(const Work& work, BalancingTrace* trace);
+  bool run_phase(const Work& work, BalancingTrace* trace = nullptr);
   /// The worker that has the tile. A tile in flight belongs to its receiver.
   [[nodiscard]] int owner(int tile) const { return tiles_[at(tile)].owner; }
 
@@ -91,7 +92,7 @@ class Balancer {
     int from = 0, to = 0;           ///< workers
     int tile = -1, about = -1;      ///< for_tile: the receiver, and the neighbour that has run (-1 if not awaited)
     std::vector<TileItem> items{};  ///< for_tile
-    std::vector<int> moved{};         ///< tiles
+    std::vector<int> moved{};       ///< tiles
     std::uint64_t sent = 0, received = 0;  ///< wave_up
   };
   struct Later {
@@ -110,7 +111,6 @@ class Balancer {
   };
   struct Worker {
     int running = -1;
-    std::uint64_t begun = 0;
     std::set<std::pair<int, int>> ready;            ///< colour and number
     std::set<std::pair<std::size_t, int>> waiting;  ///< items and number of tiles that have not begun
     std::size_t load = 0;                           ///< items of these tiles
@@ -125,17 +125,18 @@ class Balancer {
   void begin_phase();
   void send(Event event, std::uint64_t bytes);
   void post(Event event, std::uint64_t delay);
-  void handle(Event event, const Work& work, BalancingTrace* trace);
+  void handle(Event event, const Work& work);
   void wait(Worker& worker, int tile);
   void stop_waiting(Worker& worker, int tile);
   void to_tile(int w, const Tile& sender, Event event);
   void receive_for_tile(Event event);
   void deliver(const Event& event);
-  void end_run(int w, BalancingTrace* trace);
+  void end_run(int w);
   void begin_run(int w, const Work& work);
   void ask(int w);
   [[nodiscard]] int victim_of(int w);
-  void answer(int w, int asker, BalancingTrace* trace);
+  void answer(int w, int asker);
+  void note(BalancingTrace::What what, int tile, int worker, int receiver);
   void take(const Event& event);
   void join_wave(int w);
   void reply(int w);
@@ -151,6 +152,7 @@ class Balancer {
   std::vector<TileReport> reports_;  ///< of the tile that each worker runs
   std::vector<Event> events_;        ///< a heap; the next one is on top
   std::uint64_t now_ = 0, numbered_ = 0, unfinished_ = 0, in_flight_ = 0, received_before_ = 0, busy_ = 0;
+  BalancingTrace* trace_ = nullptr;
   bool ended_ = false, has_wave_before_ = false;
 };
 
