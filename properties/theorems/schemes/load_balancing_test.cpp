@@ -138,7 +138,7 @@ PARDEL_PROPERTY(LoadBalancing, no_message_is_lost_and_the_end_is_true,
   const Account& a = balanced.outcome.account;
   const auto workers = static_cast<std::uint64_t>(c.workers);
   classify(n.forwarded > 0, "a message follows a tile", 2);
-  classify(n.sent > 0, "messages for tiles", 20);
+  classify(n.sent > 0, "messages for tiles", 14);
   RC_ASSERT(n.sent == n.received);
   RC_ASSERT(n.false_ends == 0 && n.waves >= 2 * a.rounds);
   RC_ASSERT(a.barriers == a.rounds);
