@@ -9,10 +9,6 @@
 namespace pardel::schemes {
 namespace {
 
-/// Bad triangles are due while their circumradius is above this share of the side of the next finer lattice. A cavity
-/// reaches three circumradii from the centroid of its triangle, and a tile reaches half a side.
-constexpr double share_of_side = 1.0 / 6;
-
 class Levels {
  public:
   Levels(const Problem& problem, const LoadBalancingOptions& options, Start start)
@@ -34,10 +30,10 @@ class Levels {
   void run() {
     int per_side = std::min(per_side_, 4);
     const TileLattice first(mesh_, per_side);
-    alone({bounds_, first, share_of_side * first.side(), problem_.most_points}, std::exchange(later_, {}));
+    alone({bounds_, first, options_.share_of_side * first.side(), problem_.most_points}, std::exchange(later_, {}));
     for (; per_side <= per_side_ && has_room(); per_side *= 2) {
       const TileLattice lattice(mesh_, per_side);
-      const double least = per_side == per_side_ ? 0 : share_of_side * lattice.side() / 2;
+      const double least = per_side == per_side_ ? 0 : options_.share_of_side * lattice.side() / 2;
       level({bounds_, lattice, least, problem_.most_points});
     }
   }

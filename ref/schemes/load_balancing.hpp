@@ -34,7 +34,10 @@ struct LoadBalancingOptions {
   BalancingRules rules;  ///< its seed is added to that of the problem
   Placement placement = Placement::territory;
   double tiles_per_worker = 16;  ///< at least so many on the finest lattice; changes the mesh
-  int lattice_for_workers = 0;   ///< the lattice is made for so many workers; 0: for those of the problem
+  /// Bad triangles wait for the next finer lattice if their circumradius is at most this share of its side. The side of
+  /// [CC] is four times the largest circumradius. A larger share leaves more to one worker. Changes the mesh.
+  double share_of_side = 0.25;
+  int lattice_for_workers = 0;  ///< the lattice is made for so many workers; 0: for those of the problem
   bool traces = false;
 };
 

@@ -33,7 +33,8 @@ Balancer::Balancer(const TileLattice& lattice, std::vector<int> owners, std::vec
 }
 
 /// The broadcast that begins a phase names the tiles that run, and where all are.
-void Balancer::begin_phase() {
+bool Balancer::begin_phase() {
+  bool any = false;
   now_ = account_.critical;
   ended_ = has_wave_before_ = false;
   busy_ = 0;
@@ -44,7 +45,7 @@ void Balancer::begin_phase() {
     tile.awaited = 0;
     tile.known.clear();
     if (!tile.runs) continue;
-    ++unfinished_;
+    any = true;
     for (const int n : lattice_.neighbours(k)) {
       tile.known[n] = tiles_[at(n)].owner;
       if (tiles_[at(n)].runs && lattice_.colour(n) < lattice_.colour(k)) ++tile.awaited;
@@ -53,6 +54,7 @@ void Balancer::begin_phase() {
     wait(worker, k);
     if (tile.awaited == 0) worker.ready.insert({lattice_.colour(k), k});
   }
+  return any;
 }
 
 void Balancer::note(BalancingTrace::What what, int tile, int worker, int receiver) {
@@ -84,8 +86,7 @@ void Balancer::send(Event event, std::uint64_t bytes) {
 
 bool Balancer::run_phase(const Work& work, BalancingTrace* trace) {
   trace_ = trace;
-  begin_phase();
-  if (unfinished_ == 0) return false;
+  if (!begin_phase()) return false;
   const std::uint64_t begin = now_;
   for (int w = 0; w < static_cast<int>(workers_.size()); ++w) begin_run(w, work);
   join_wave(0);
@@ -178,7 +179,6 @@ void Balancer::end_run(int w) {
     if (items != by_tile.end()) event.items = std::move(items->second);
     to_tile(w, tiles_[at(k)], std::move(event));
   }
-  --unfinished_;
 }
 
 /// Sends an event to a neighbour of a tile that worker w has, to the place where it went from here, or was last heard
@@ -263,13 +263,14 @@ void Balancer::ask(int w) {
   send({.kind = Kind::request, .from = w, .to = victim}, bytes_of_head);
 }
 
-/// Barker et al., Section 4: the heaviest tiles that have not begun move, but a worker keeps one for itself.
+/// Barker et al., Section 4: the heaviest tiles that have not begun move. Only a worker that runs a tile gives others
+/// away. If idle ones did, tiles that wait for their neighbours would go to and fro between them.
 void Balancer::answer(int w, int asker) {
   Worker& me = workers_[at(w)];
-  const std::size_t kept = me.running >= 0 ? 0 : 1;
   Event event{.kind = Kind::tiles, .from = w, .to = asker};
   std::uint64_t bytes = bytes_of_head;
-  while (me.waiting.size() > kept && static_cast<int>(event.moved.size()) < rules_.tiles_moved) {
+  const std::size_t most = me.running < 0 ? 0 : static_cast<std::size_t>(rules_.tiles_moved);
+  while (!me.waiting.empty() && event.moved.size() < most) {
     const int k = me.waiting.rbegin()->second;
     Tile& tile = tiles_[at(k)];
     stop_waiting(me, k);
@@ -356,6 +357,11 @@ void Balancer::judge() {
   post({.kind = Kind::wave_down, .from = 0, .to = 0}, rules_.latency + 1);
 }
 
-bool Balancer::has_ended() const { return unfinished_ == 0 && in_flight_ == 0; }
+/// What no worker can know: nothing is in flight, and nobody has work.
+bool Balancer::has_ended() const {
+  return in_flight_ == 0 && std::ranges::all_of(workers_, [](const Worker& worker) {
+           return worker.running < 0 && worker.waiting.empty();
+         });
+}
 
 }  // namespace pardel::schemes

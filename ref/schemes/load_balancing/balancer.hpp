@@ -122,7 +122,7 @@ class Balancer {
   };
 
   [[nodiscard]] static std::size_t at(int k) { return static_cast<std::size_t>(k); }
-  void begin_phase();
+  [[nodiscard]] bool begin_phase();
   void send(Event event, std::uint64_t bytes);
   void post(Event event, std::uint64_t delay);
   void handle(Event event, const Work& work);
@@ -151,7 +151,7 @@ class Balancer {
   std::vector<Worker> workers_;
   std::vector<TileReport> reports_;  ///< of the tile that each worker runs
   std::vector<Event> events_;        ///< a heap; the next one is on top
-  std::uint64_t now_ = 0, numbered_ = 0, unfinished_ = 0, in_flight_ = 0, received_before_ = 0, busy_ = 0;
+  std::uint64_t now_ = 0, numbered_ = 0, in_flight_ = 0, received_before_ = 0, busy_ = 0;
   BalancingTrace* trace_ = nullptr;
   bool ended_ = false, has_wave_before_ = false;
 };
