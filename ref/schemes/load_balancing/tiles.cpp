@@ -16,23 +16,28 @@ std::array<double, 6> place_of(const LinkedMesh& mesh, Index t) {
   return {p[0][0], p[0][1], p[1][0], p[1][1], p[2][0], p[2][1]};
 }
 
-bool reaches_all(const TileLattice& lattice, int tile, const LinkedMesh& mesh, const Cavity& cavity) {
-  return std::ranges::all_of(cavity.triangles, [&](Index t) { return lattice.reaches(tile, mesh, t); });
+/// Does the tile reach the whole cavity? Adds the work of a search that ends at the first triangle out of reach: what
+/// lies beyond it may be changed by another tile at the same time.
+bool search(const LinkedMesh& mesh, const TileLattice& lattice, int tile, const Cavity& cavity, std::uint64_t& work) {
+  for (const Index t : cavity.triangles) {
+    ++work;
+    if (!lattice.reaches(tile, mesh, t)) return false;
+  }
+  work += cavity.boundary.size();
+  return true;
 }
 
-/// The work for one item: the insertion, if the tile reaches all that it changes.
+/// The insertion for one item, if the tile reaches all that it changes, and all on which the choice of its point
+/// depends.
 std::optional<Insertion> within_reach(const LinkedMesh& mesh, const TileRules& rules, int tile, Index t,
                                       std::uint64_t& work) {
   std::optional<Insertion> found = insertion_for(mesh, t, rules.bounds);
-  if (!found) return std::nullopt;
-  work += found->work();
-  if (!reaches_all(rules.lattice, tile, mesh, found->cavity)) return std::nullopt;
-  // Which segment a circumcentre encroaches upon depends on its cavity, which must not reach farther either.
-  if (found->splits_segment() && !encroached_side(mesh, t)) {
-    const Cavity rejected = cavity_of(mesh, circumcentre(mesh, t), {t});
-    work += rejected.triangles.size() + rejected.boundary.size();
-    if (!reaches_all(rules.lattice, tile, mesh, rejected)) return std::nullopt;
-  }
+  const bool is_circumcentre = found && !found->splits_segment();
+  // Which segment a circumcentre encroaches upon depends on its cavity.
+  if (!is_circumcentre && !encroached_side(mesh, t) &&
+      !search(mesh, rules.lattice, tile, cavity_of(mesh, circumcentre(mesh, t), {t}), work))
+    return std::nullopt;
+  if (found && !search(mesh, rules.lattice, tile, found->cavity, work)) return std::nullopt;
   return found;
 }
 
