@@ -9,9 +9,9 @@
 namespace pardel::schemes {
 namespace {
 
-class Levels {
+class TileLevels {
  public:
-  Levels(const Problem& problem, const LoadBalancingOptions& options, Start start)
+  TileLevels(const Problem& problem, const LoadBalancingOptions& options, Start start)
       : problem_(problem),
         options_(options),
         mesh_(std::move(start.mesh)),
@@ -119,7 +119,7 @@ class Levels {
 Result<Balanced> load_balancing_with_counts(const Problem& problem, const LoadBalancingOptions& options) {
   Result<Start> start = start_of(problem);
   if (!start) return start.error();
-  Levels levels(problem, options, std::move(start).value());
+  TileLevels levels(problem, options, std::move(start).value());
   levels.run();
   if (!levels.has_room()) return too_many_points(problem);
   return std::move(levels).result();

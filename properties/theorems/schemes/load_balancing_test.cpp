@@ -226,7 +226,8 @@ PARDEL_FACT(LoadBalancing, one_wave_announces_the_end_too_early,
     for (const std::uint64_t latency : {1U, 50U, 1000U})
       for (const Victim victim : {Victim::random, Victim::neighbour, Victim::most_loaded}) {
         const SchemeCase c = graded_key(0.02, workers);
-        LoadBalancingOptions options{.placement = Placement::one_worker};
+        LoadBalancingOptions options;
+        options.placement = Placement::one_worker;
         options.rules.latency = latency;
         options.rules.victim = victim;
         EXPECT_EQ(schemes::load_balancing_with_counts(c.problem(), options)->counts.false_ends, 0U);

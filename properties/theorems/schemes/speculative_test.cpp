@@ -19,13 +19,13 @@ using schemes::Speculation;
 using schemes::SpeculativeOptions;
 
 /// Any schedule, and a rule that says who gives up.
-SpeculativeOptions some_options() {
+SpeculativeOptions some_speculative_options() {
   return {.schedule = *rc::gen::element(Schedule::round_robin, Schedule::random, Schedule::adversary),
           .precedence = *rc::gen::element(Precedence::lower_worker, Precedence::older_insertion)};
 }
 
 Speculation some_speculation(const SchemeCase& c) {
-  return {some_start(c), c.problem(), some_options().precedence, Locked::cavity_and_ring};
+  return {some_start(c), c.problem(), some_speculative_options().precedence, Locked::cavity_and_ring};
 }
 
 /// A worker that is not idle, drawn at random.
@@ -37,11 +37,11 @@ int some_worker(const Speculation& run, const SchemeCase& c, std::uint64_t& stat
   return busy[(state >> 33U) % busy.size()];
 }
 
-bool is_same(const schemes::Face& a, const schemes::Face& b) {
+bool is_unchanged(const schemes::Face& a, const schemes::Face& b) {
   return a.v == b.v && a.n == b.n && a.segment == b.segment && a.region == b.region;
 }
 
-std::vector<int> holders(const Speculation& run) {
+std::vector<int> all_holders(const Speculation& run) {
   std::vector<int> all;
   for (Index t = 0; t < run.mesh().faces.size(); ++t) all.push_back(run.holder(t));
   return all;
@@ -75,7 +75,7 @@ PARDEL_PROPERTY(Speculative, every_schedule_ends_with_a_certified_mesh,
                  .source = "Nave, Chrisochoides, Chew 2002, Section 4; Chrisochoides, Nave 2003",
                  .families = scheme_families}) {
   const SchemeCase c = some_scheme_case(exhibit);
-  const SpeculativeOptions options = some_options();
+  const SpeculativeOptions options = some_speculative_options();
   const schemes::Outcome outcome = required(schemes::speculative(c.problem(), options));
   classify(outcome.account.set_backs > 0, "an insertion is set back", 20);
   classify(options.schedule == Schedule::adversary, "an adversary", 20);
@@ -89,11 +89,11 @@ PARDEL_PROPERTY(Speculative, one_worker_runs_ruppert_s_algorithm,
                  .families = scheme_families}) {
   SchemeCase c = some_scheme_case(exhibit);
   c.workers = 1;
-  const schemes::Outcome outcome = required(schemes::speculative(c.problem(), some_options()));
+  const schemes::Outcome outcome = required(schemes::speculative(c.problem(), some_speculative_options()));
   const LinkedMesh expected = refined_from_a_queue(some_start(c));
   classify(outcome.account.insertions > 0, "something is inserted", 50);
   RC_ASSERT(outcome.mesh.points == expected.points);
-  RC_ASSERT(std::ranges::equal(outcome.mesh.faces, expected.faces, is_same));
+  RC_ASSERT(std::ranges::equal(outcome.mesh.faces, expected.faces, is_unchanged));
   const Account& account = outcome.account;
   RC_ASSERT(account.set_backs == 0 && account.messages == 0 && account.bytes == 0);
   RC_ASSERT(account.critical == account.sequential + account.work);
@@ -120,12 +120,12 @@ PARDEL_PROPERTY(Speculative, a_set_back_leaves_nothing_behind,
     }
     (loser == w ? met : taken_away) = true;
     const LinkedMesh before = run.mesh();
-    const std::vector<int> held = holders(run);
+    const std::vector<int> held = all_holders(run);
     run.step(w);
     RC_ASSERT(run.account().set_backs == set_backs + 1);
     RC_ASSERT(run.held(loser).empty() && !run.is_idle(loser));
     RC_ASSERT(run.mesh().points == before.points);
-    RC_ASSERT(std::ranges::equal(run.mesh().faces, before.faces, is_same));
+    RC_ASSERT(std::ranges::equal(run.mesh().faces, before.faces, is_unchanged));
     for (Index t = 0; t < held.size(); ++t)
       if (held[t] != w && held[t] != loser) RC_ASSERT(run.holder(t) == held[t]);
   }
@@ -149,7 +149,7 @@ PARDEL_PROPERTY(Speculative, only_locked_triangles_change,
       RC_ASSERT(run.points() == points);
       continue;
     }
-    const std::vector<int> before = holders(run);
+    const std::vector<int> before = all_holders(run);
     const std::vector<schemes::Face> faces = run.mesh().faces;
     run.step(w);
     RC_ASSERT(run.points() == points + 1);
@@ -162,7 +162,7 @@ PARDEL_PROPERTY(Speculative, only_locked_triangles_change,
     RC_ASSERT(std::ranges::count_if(before, [&](int v) { return v != schemes::no_worker && v != w; }) ==
               static_cast<std::ptrdiff_t>(locks));
     for (Index t = 0; t < faces.size(); ++t)
-      if (!is_same(faces[t], run.mesh().faces[t])) RC_ASSERT(before[t] == w);
+      if (!is_unchanged(faces[t], run.mesh().faces[t])) RC_ASSERT(before[t] == w);
   }
   classify(together, "others hold locks meanwhile", 20);
 }
@@ -201,7 +201,7 @@ PARDEL_PROPERTY(Speculative, the_account_follows_from_what_was_done,
 }
 
 /// A square with a bound on areas.
-SchemeCase square_case(double max_area, int workers) {
+SchemeCase bounded_square(double max_area, int workers) {
   SchemeCase c;
   c.pslg.points = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
   c.pslg.segments = {{0, 1, 0}, {1, 2, 0}, {2, 3, 0}, {3, 0, 0}};
@@ -216,7 +216,7 @@ PARDEL_FACT(Speculative, without_precedence_a_schedule_never_ends,
                           "Both rules of precedence end under the same adversary.",
              .source = "Nave, Chrisochoides, Chew 2002, Section 4 (livelock)",
              .families = "a square with a bound on areas, two workers, 1,000,000 steps"}) {
-  const SchemeCase c = square_case(0.5, 2);
+  const SchemeCase c = bounded_square(0.5, 2);
   SpeculativeOptions options{.schedule = Schedule::adversary, .precedence = Precedence::nobody};
   options.most_steps = 1'000'000;
   const auto endless = schemes::speculative(c.problem(), options);
@@ -235,7 +235,7 @@ PARDEL_FACT(Speculative, locks_on_the_cavity_alone_do_not_keep_the_mesh_delaunay
                           "touch both end, and the mesh is not Delaunay; with the ring, the same run ends certified.",
              .source = "Nave, Chrisochoides, Chew 2002, Section 4; properties/THEORY.md, T1-iff",
              .families = "a square with a bound on areas, four workers, one after the other"}) {
-  const SchemeCase c = square_case(2, 4);
+  const SchemeCase c = bounded_square(2, 4);
   for (const Locked locked : {Locked::cavity, Locked::cavity_and_ring}) {
     const auto outcome = schemes::speculative(c.problem(), {.locked = locked});
     ASSERT_TRUE(outcome);
