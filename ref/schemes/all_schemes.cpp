@@ -5,10 +5,12 @@
 #include "independent_cavities.hpp"
 #include "kadow.hpp"
 #include "lattice.hpp"
+#include "load_balancing.hpp"
 #include "quadtree.hpp"
 #include "region_boxes.hpp"
 #include "rounds.hpp"
 #include "sinks.hpp"
+#include "speculative.hpp"
 
 namespace pardel::schemes {
 namespace {
@@ -74,6 +76,10 @@ const std::vector<Scheme>& all_schemes() {
        [](const Problem& p, const Workers& w) {
          return all_rounds(p, w, rules_of_rounds({.batch = Batch::largest_class}));
        }},
+      {"speculative", "speculative insertion",
+       [](const Problem& p, const Workers& w) {
+         return each(p, w, [](const Problem& one) { return speculative(one); });
+       }},
       {"decoupling", "decoupling",
        [](const Problem& p, const Workers& w) {
          return each(p, w, [](const Problem& one) { return decoupling(one); });
@@ -89,6 +95,10 @@ const std::vector<Scheme>& all_schemes() {
       {"boxes", "tasks that own boxes",
        [](const Problem& p, const Workers& w) {
          return each(p, w, [](const Problem& one) { return region_boxes(one); });
+       }},
+      {"load-balancing", "tiles that migrate",
+       [](const Problem& p, const Workers& w) {
+         return each(p, w, [](const Problem& one) { return load_balancing(one); });
        }},
       {"kadow", "projected parts (Kadow, Walkington)",
        [](const Problem& p, const Workers& w) { return each(p, w, [](const Problem& one) { return kadow(one); }); }},
