@@ -5,6 +5,7 @@
 
 #include "cells/sequential.hpp"
 #include "decoupling/separators.hpp"
+#include "mesh/forced_segments.hpp"
 #include "mesh/predicates.hpp"
 #include "workers/phase.hpp"
 #include "workers/random.hpp"
@@ -132,8 +133,10 @@ class Parts {
     return std::nullopt;
   }
   std::optional<Insertion> insertion_of(Index t, int part) {
-    if (const auto side = encroached(t)) return split(*side, part);
-    if (!bounds_.is_large(mesh_, t) && !bounds_.is_thin(mesh_, t)) return std::nullopt;
+    const std::optional<Side> own = encroached(t);
+    if (!own && !bounds_.is_large(mesh_, t) && !bounds_.is_thin(mesh_, t)) return std::nullopt;
+    ++work_;
+    if (own) return split(*own, part);
     Insertion found{t, circumcentre(mesh_, t), {}, {}};
     if (!circumdisk_contains(mesh_, t, found.point)) return std::nullopt;
     found.cavity = cavity_of(mesh_, found.point, {t});

@@ -1,8 +1,7 @@
 // Triangulations of points and of domains: the mesh with which a refinement begins.
 //
 // Sources: A. Bowyer, "Computing Dirichlet tessellations", 1981, and D. F. Watson, 1981 (insertion of points);
-// S. W. Sloan, "A fast algorithm for generating constrained Delaunay triangulations", 1993 (forcing an edge);
-// C. L. Lawson, "Software for C1 surface interpolation", 1977 (flips end in the Delaunay triangulation).
+// forced_segments.hpp (segments).
 #pragma once
 
 #include <cstdint>
@@ -32,9 +31,5 @@ struct Triangulated {
 /// no_index if the walk leaves the mesh. Adds the length of the walk to `work`. Precondition: the mesh is Delaunay and
 /// covers its convex hull.
 [[nodiscard]] Index locate(const LinkedMesh& mesh, Point p, Index from, std::uint64_t& work);
-
-/// Flips unconstrained sides until each of these, and each that a flip has changed, is locally Delaunay. Returns the
-/// triangles that were changed.
-std::vector<Index> flip_to_delaunay(LinkedMesh& mesh, std::vector<Side> sides);
 
 }  // namespace pardel::schemes
