@@ -3,7 +3,7 @@
 //
 // Sources: K. Barker, A. Chernikov, N. Chrisochoides, K. Pingali, "A load balancing framework for adaptive and
 // asynchronous applications", IEEE TPDS 15(2), 2004; A. Chernikov, N. Chrisochoides, "Parallel guaranteed quality
-// planar Delaunay mesh generation by concurrent point insertion", 2004, Section 4 (the lattice, and colours).
+// planar Delaunay mesh generation by concurrent point insertion", 2004 (the lattice, and colours).
 //
 // The rule that makes the mesh independent of placement: a tile inserts a point only if the cavity lies within half a
 // side around the tile, so tiles of one colour commute; a tile runs only after its neighbours of lower colours, which

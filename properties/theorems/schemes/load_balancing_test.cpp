@@ -82,7 +82,7 @@ bool are_one(const Balanced& a, const Balanced& b) {
 PARDEL_PROPERTY(LoadBalancing, placement_changes_no_bit,
                 {.statement = "The number of workers, the placement of tiles, the latency of messages, the choice of "
                               "victims and the seed change no bit of the mesh, and neither the work nor the phases.",
-                 .source = "Chernikov, Chrisochoides 2004, Section 4; Barker et al. 2004",
+                 .source = "Chernikov, Chrisochoides 2004; Barker et al. 2004",
                  .families = tiled_families}) {
   SchemeCase c = some_tiled_case(exhibit);
   const LoadBalancingOptions options = some_balancing();
@@ -100,7 +100,7 @@ PARDEL_PROPERTY(LoadBalancing, placement_changes_no_bit,
 PARDEL_PROPERTY(LoadBalancing, a_tile_has_one_owner_and_runs_beside_no_neighbour,
                 {.statement = "Every tile is at one worker or in flight to one. Only a worker that has it runs it, or "
                               "sends it away; no tile runs while a neighbour runs.",
-                 .source = "Barker et al. 2004; Chernikov, Chrisochoides 2004, Section 4",
+                 .source = "Barker et al. 2004; Chernikov, Chrisochoides 2004",
                  .families = tiled_families}) {
   const SchemeCase c = some_tiled_case(exhibit);
   LoadBalancingOptions options = some_balancing();
@@ -139,7 +139,7 @@ PARDEL_PROPERTY(LoadBalancing, no_message_is_lost_and_the_end_is_true,
                 {.statement = "Every message with tiles or for tiles is received. Two waves announce the end of a "
                               "phase once, when nothing is in flight and nobody has work. Messages, idle time and the "
                               "critical path are the sums of their parts.",
-                 .source = "Mattern 1987, Section 6.1; Barker et al. 2004",
+                 .source = "Mattern 1987; Barker et al. 2004",
                  .families = tiled_families}) {
   const SchemeCase c = some_tiled_case(exhibit);
   const Balanced balanced = some_balanced(c, some_balancing());
@@ -170,7 +170,7 @@ SchemeCase graded_key(double edge, int workers) {
 
 PARDEL_FACT(LoadBalancing, placement_changes_no_bit_of_a_graded_key,
             {.statement = "The same on a larger mesh, also where much is out of the reach of tiles.",
-             .source = "Chernikov, Chrisochoides 2004, Section 4; Barker et al. 2004",
+             .source = "Chernikov, Chrisochoides 2004; Barker et al. 2004",
              .families = "the key with edges that grow from one place, 2 to 16 workers"}) {
   for (const double share : {0.25, 1.0}) {
     LoadBalancingOptions options;
@@ -219,7 +219,7 @@ PARDEL_FACT(
 PARDEL_FACT(LoadBalancing, one_wave_announces_the_end_too_early,
             {.statement = "A single wave that counts as many messages received as sent does not show the end: it is "
                           "announced while a worker has work or a message is in flight. Two waves are right there.",
-             .source = "Mattern 1987, Section 6",
+             .source = "Mattern 1987",
              .families = "a small graded key, 2 to 16 workers, three latencies, three rules"}) {
   std::uint64_t false_ends = 0;
   for (int workers = 2; workers <= 16; ++workers)

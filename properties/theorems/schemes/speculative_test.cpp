@@ -72,7 +72,7 @@ LinkedMesh refined_from_a_queue(schemes::Start start) {
 PARDEL_PROPERTY(Speculative, every_schedule_ends_with_a_certified_mesh,
                 {.statement = "With a rule that says who gives up, every schedule ends, and the checker certifies the "
                               "mesh.",
-                 .source = "Nave, Chrisochoides, Chew 2002, Section 4; Chrisochoides, Nave 2003",
+                 .source = "Nave, Chrisochoides, Chew 2002; Chrisochoides, Nave 2003",
                  .families = scheme_families}) {
   const SchemeCase c = some_scheme_case(exhibit);
   const SpeculativeOptions options = some_speculative_options();
@@ -85,7 +85,7 @@ PARDEL_PROPERTY(Speculative, every_schedule_ends_with_a_certified_mesh,
 PARDEL_PROPERTY(Speculative, one_worker_runs_ruppert_s_algorithm,
                 {.statement = "One worker makes the mesh of Ruppert's algorithm with a queue of bad triangles, bit for "
                               "bit, and has no set-back and no message; its critical path is its work.",
-                 .source = "Ruppert 1995; Nave, Chrisochoides, Chew 2002, Section 4",
+                 .source = "Ruppert 1995; Nave, Chrisochoides, Chew 2002",
                  .families = scheme_families}) {
   SchemeCase c = some_scheme_case(exhibit);
   c.workers = 1;
@@ -104,7 +104,7 @@ PARDEL_PROPERTY(Speculative, a_set_back_leaves_nothing_behind,
                 {.statement = "An insertion that is set back leaves the mesh and the locks of all others as they were, "
                               "keeps no lock, and is tried again. Without another worker in the way no insertion is "
                               "set back.",
-                 .source = "Nave, Chrisochoides, Chew 2002, Section 4 (rollback)",
+                 .source = "Nave, Chrisochoides, Chew 2002 (rollback)",
                  .families = scheme_families}) {
   const SchemeCase c = some_scheme_case(exhibit);
   Speculation run = some_speculation(c);
@@ -136,7 +136,7 @@ PARDEL_PROPERTY(Speculative, a_set_back_leaves_nothing_behind,
 PARDEL_PROPERTY(Speculative, only_locked_triangles_change,
                 {.statement = "Every triangle that a worker's step changes, corners or neighbours, was locked by this "
                               "worker; every lock is held by the worker that lists it, once.",
-                 .source = "Nave, Chrisochoides, Chew 2002, Section 4; Chrisochoides, Nave 2003",
+                 .source = "Nave, Chrisochoides, Chew 2002; Chrisochoides, Nave 2003",
                  .families = scheme_families}) {
   const SchemeCase c = some_scheme_case(exhibit);
   Speculation run = some_speculation(c);
@@ -173,7 +173,7 @@ PARDEL_PROPERTY(Speculative, the_account_follows_from_what_was_done,
                               "a bad triangle of others one message each. Without set-backs, waste is the search of "
                               "circumcentres that encroach. No critical path is shorter than the work of all divided "
                               "among all.",
-                 .source = "Nave, Chrisochoides, Chew 2002, Section 4",
+                 .source = "Nave, Chrisochoides, Chew 2002",
                  .families = scheme_families}) {
   const SchemeCase c = some_scheme_case(exhibit);
   Speculation run = some_speculation(c);
@@ -214,7 +214,7 @@ PARDEL_FACT(Speculative, without_precedence_a_schedule_never_ends,
             {.statement = "If whoever meets a lock gives up, and nothing decides who goes first, there is a schedule "
                           "in which workers set each other back for ever, although each has its turn again and again. "
                           "Both rules of precedence end under the same adversary.",
-             .source = "Nave, Chrisochoides, Chew 2002, Section 4 (livelock)",
+             .source = "Nave, Chrisochoides, Chew 2002 (livelock)",
              .families = "a square with a bound on areas, two workers, 1,000,000 steps"}) {
   const SchemeCase c = bounded_square(0.5, 2);
   SpeculativeOptions options{.schedule = Schedule::adversary, .precedence = Precedence::nobody};
@@ -233,7 +233,7 @@ PARDEL_FACT(Speculative, without_precedence_a_schedule_never_ends,
 PARDEL_FACT(Speculative, locks_on_the_cavity_alone_do_not_keep_the_mesh_delaunay,
             {.statement = "If insertions lock their cavities but not the triangles around them, two whose cavities "
                           "touch both end, and the mesh is not Delaunay; with the ring, the same run ends certified.",
-             .source = "Nave, Chrisochoides, Chew 2002, Section 4; properties/THEORY.md, T1-iff",
+             .source = "Nave, Chrisochoides, Chew 2002; properties/THEORY.md, T1-iff",
              .families = "a square with a bound on areas, four workers, one after the other"}) {
   const SchemeCase c = bounded_square(2, 4);
   for (const Locked locked : {Locked::cavity, Locked::cavity_and_ring}) {

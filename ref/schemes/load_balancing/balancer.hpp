@@ -1,8 +1,8 @@
 // Workers that exchange tiles, in virtual time: events, messages that take time, and the detection of the end.
 //
 // Sources: K. Barker, A. Chernikov, N. Chrisochoides, K. Pingali, "A load balancing framework for adaptive and
-// asynchronous applications", IEEE TPDS 15(2), 2004, Sections 3 and 4 (mobile objects, messages to them, work
-// stealing); F. Mattern, "Algorithms for distributed termination detection", Distributed Computing 2, 1987, Section 6.1
+// asynchronous applications", IEEE TPDS 15(2), 2004 (mobile objects, messages to them, work
+// stealing); F. Mattern, "Algorithms for distributed termination detection", Distributed Computing 2, 1987
 // (four counters in two waves).
 #pragma once
 
@@ -120,6 +120,11 @@ class Balancer {
     int replies = 0;                                   ///< of a wave that are missing
     std::uint64_t sent_below = 0, received_below = 0;  ///< of the workers that have replied
   };
+
+  /// Of a request, a refusal, a wave, and the head of any other message.
+  static constexpr std::uint64_t bytes_of_head = 16;
+  /// The pause after a refusal doubles up to this many latencies.
+  static constexpr std::uint64_t longest_pause = 64;
 
   [[nodiscard]] static std::size_t at(int k) { return static_cast<std::size_t>(k); }
   [[nodiscard]] bool begin_phase();

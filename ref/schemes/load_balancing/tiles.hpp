@@ -1,5 +1,5 @@
 // The tiles of a lattice over the domain, and what one tile does in one phase. Tiles of one colour change no triangle
-// that another one of them reads, so their order in time changes nothing (Chernikov, Chrisochoides 2004, Section 4).
+// that another one of them reads, so their order in time changes nothing (Chernikov, Chrisochoides 2004).
 #pragma once
 
 #include <vector>

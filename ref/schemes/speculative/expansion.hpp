@@ -2,7 +2,7 @@
 // it.
 //
 // Source: D. Nave, N. Chrisochoides, L. P. Chew, "Guaranteed-quality parallel Delaunay refinement for restricted
-// polyhedral domains", SCG 2002, Section 4 (cavity expansion).
+// polyhedral domains", SCG 2002 (cavity expansion).
 #pragma once
 
 #include <vector>

@@ -63,7 +63,7 @@ int Speculation::would_set_back(int w) const {
   return wins(task.age == 0 ? begun_ + 1 : task.age, w, other) ? other : w;
 }
 
-/// Nave, Chrisochoides and Chew, Section 4: a lock on a triangle of another worker's part is a request and an answer.
+/// Nave, Chrisochoides and Chew: a lock on a triangle of another worker's part is a request and an answer.
 bool Speculation::take_lock(int w, Index t) {
   SpeculativeWorker& me = workers_[place(w)];
   LockMark& mark = marks_[t];
