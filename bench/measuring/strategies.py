@@ -3,8 +3,8 @@ import html
 import math
 
 POINT_SETS = ["random", "clustered"]  # inputs that a scheme without refinement can triangulate
-COLOURS = ["#7f7f7f", "#4682b4", "#17becf", "#2e8b57", "#b8860b", "#e07b39", "#c0392b", "#8e44ad", "#d16ba5", "#5d6d7e",
-           "#1b4f72", "#7d6608", "#145a32"]
+COLOURS = ["#7f7f7f", "#4682b4", "#17becf", "#2e8b57", "#b8860b", "#e07b39", "#c0392b", "#8e44ad", "#d16ba5", "#1b4f72",
+           "#7d6608", "#145a32", "#f1c40f", "#00e5a0", "#ff6f91", "#2c2c2c"]  # one per scheme
 PANEL, MARGIN, LINE = 230, 44, 16
 COLUMNS = [("triangles", "triangles", "{:,}"), ("rounds", "rounds", "{:,}"), ("barriers", "barriers", "{:,}"),
            ("parallelism", "parallelism", "{:.1f}"), ("wasted", "wasted work", "{:.0%}"),

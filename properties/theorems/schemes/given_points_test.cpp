@@ -70,7 +70,7 @@ bool lie_on_an_empty_circle(const SomePath& p, Index a, Index b) {
   return true;
 }
 
-PARDEL_PROPERTY(GivenPoints, neighbours_on_a_path_lie_on_an_empty_circle_around_a_point_of_the_line,
+PARDEL_PROPERTY(DividedPoints, neighbours_on_a_path_lie_on_an_empty_circle_around_a_point_of_the_line,
                 {.statement = "The lower hull of the projections goes from the lowest to the highest point, and two "
                               "neighbours on it lie on a circle with its centre on the line that contains no point.",
                  .source = "Blelloch, Hardwick, Miller, Talmor 1999, Section 2",
@@ -86,7 +86,7 @@ PARDEL_PROPERTY(GivenPoints, neighbours_on_a_path_lie_on_an_empty_circle_around_
   }
 }
 
-PARDEL_PROPERTY(GivenPoints, edges_of_a_path_are_delaunay_edges,
+PARDEL_PROPERTY(DividedPoints, edges_of_a_path_are_delaunay_edges,
                 {.statement = "Every edge of a path is an edge of the Delaunay triangulation in which each polygon of "
                               "cocircular points is a fan around its lexicographically smallest corner.",
                  .source = "Blelloch, Hardwick, Miller, Talmor 1999, Section 2",
@@ -109,7 +109,7 @@ PARDEL_PROPERTY(GivenPoints, edges_of_a_path_are_delaunay_edges,
     RC_ASSERT(edges.contains({std::min(p.path[k - 1], p.path[k]), std::max(p.path[k - 1], p.path[k])}));
 }
 
-PARDEL_PROPERTY(GivenPoints, off_the_path_the_line_and_the_path_have_the_same_sides,
+PARDEL_PROPERTY(DividedPoints, off_the_path_the_line_and_the_path_have_the_same_sides,
                 {.statement = "A point that is not on the path lies on the same side of the path and of the line; all "
                               "points of the line are on the path.",
                  .source = "Blelloch, Hardwick, Miller, Talmor 1999, Section 2",
@@ -133,7 +133,7 @@ PARDEL_PROPERTY(GivenPoints, off_the_path_the_line_and_the_path_have_the_same_si
   }
 }
 
-PARDEL_PROPERTY(GivenPoints, parts_have_every_inner_point_once_and_borders_from_both_sides,
+PARDEL_PROPERTY(DividedPoints, parts_have_every_inner_point_once_and_borders_from_both_sides,
                 {.statement = "An edge of a border is an edge of the hull or the border of another part, in the other "
                               "direction; a point inside a part belongs to no other part; every point is in a part.",
                  .source = "Blelloch, Hardwick, Miller, Talmor 1999, Figure 4, step 5",
@@ -162,7 +162,7 @@ PARDEL_PROPERTY(GivenPoints, parts_have_every_inner_point_once_and_borders_from_
   }
 }
 
-PARDEL_PROPERTY(GivenPoints, parts_are_triangulated_only_inside_their_borders,
+PARDEL_PROPERTY(DividedPoints, parts_are_triangulated_only_inside_their_borders,
                 {.statement = "The triangles of all parts are those of the Delaunay triangulation, each once.",
                  .source = "Blelloch, Hardwick, Miller, Talmor 1999, Section 4",
                  .families = point_families}) {
@@ -182,7 +182,7 @@ PARDEL_PROPERTY(GivenPoints, parts_are_triangulated_only_inside_their_borders,
   RC_ASSERT(triangles == standard(points).faces.size());
 }
 
-PARDEL_PROPERTY(GivenPoints, triangulation_is_certified,
+PARDEL_PROPERTY(DividedPoints, triangulation_is_certified,
                 {.statement = "The union of the parts is the Delaunay triangulation of all points: the checker "
                               "certifies it, and it has the triangles of sequential insertion up to ties.",
                  .source = "Blelloch, Hardwick, Miller, Talmor 1999, Section 2",
@@ -199,7 +199,7 @@ PARDEL_PROPERTY(GivenPoints, triangulation_is_certified,
   RC_ASSERT(plain_triangles(mesh) == plain_triangles(standard(c.pslg.points)));
 }
 
-PARDEL_PROPERTY(GivenPoints, triangulation_depends_on_the_points_only,
+PARDEL_PROPERTY(DividedPoints, triangulation_depends_on_the_points_only,
                 {.statement = "The triangulation depends neither on the number of workers nor on the cuts nor on the "
                               "order of the points, also if points are cocircular.",
                  .source = "ref/schemes/given_points/path.hpp, tie rule",
@@ -219,7 +219,7 @@ PARDEL_PROPERTY(GivenPoints, triangulation_depends_on_the_points_only,
   classify(workers > 8, "more than eight workers", 50);
 }
 
-PARDEL_PROPERTY(GivenPoints, costs_are_those_of_hulls_and_parts,
+PARDEL_PROPERTY(DividedPoints, costs_are_those_of_hulls_and_parts,
                 {.statement = "One worker reads each point once for the hull, its hull once more, and what sequential "
                               "insertion reads, and sends nothing. More workers wait three times per level and three "
                               "times besides; each level at most halves the largest team. Nothing is wasted.",
@@ -247,7 +247,7 @@ PARDEL_PROPERTY(GivenPoints, costs_are_those_of_hulls_and_parts,
   RC_ASSERT(many.critical * static_cast<std::uint64_t>(workers) >= many.work);
 }
 
-PARDEL_FACT(GivenPoints, without_a_tie_rule_two_paths_cross,
+PARDEL_FACT(DividedPoints, without_a_tie_rule_two_paths_cross,
             {.statement = "Of four cocircular points, the neighbours in the order of y and those in the order of x "
                           "include two pairs whose segments cross, though both lie on the same empty circle. Paths by "
                           "the tie rule do not cross.",
@@ -269,7 +269,7 @@ PARDEL_FACT(GivenPoints, without_a_tie_rule_two_paths_cross,
       EXPECT_FALSE(crosses(up[i - 1], up[i], along[j - 1], along[j]));
 }
 
-PARDEL_FACT(GivenPoints, a_worker_holds_its_share_of_random_points,
+PARDEL_FACT(DividedPoints, a_worker_holds_its_share_of_random_points,
             {.statement = "Of n random points in a square, no worker holds more than 3 n / workers triangles.",
              .source = "Blelloch, Hardwick, Miller, Talmor 1999, Section 4",
              .families = "5,000 random points, 1 to 64 workers"}) {
