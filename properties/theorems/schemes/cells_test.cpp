@@ -9,6 +9,7 @@
 #include "../../../ref/schemes/quadtree.hpp"
 #include "../../../ref/schemes/region_boxes.hpp"
 #include "../../domains/domains.hpp"
+#include "same_triangles.hpp"
 #include "some_problem.hpp"
 
 namespace pardel::properties {
@@ -69,20 +70,6 @@ How some_cells(Kind kind) {
   return how;
 }
 Kind any_kind() { return *rc::gen::element(Kind::lattice, Kind::quadtree, Kind::boxes); }
-
-/// The triangles by the coordinates of their corners: no numbering.
-using CornersInOrder = std::vector<std::array<std::pair<double, double>, 3>>;
-CornersInOrder corners_in(const LinkedMesh& mesh) {
-  CornersInOrder found;
-  for (schemes::Face const& face : mesh.faces) {
-    std::array<std::pair<double, double>, 3> corners;
-    for (std::size_t i = 0; i < 3; ++i) corners[i] = {mesh.points[face.v[i]].x, mesh.points[face.v[i]].y};
-    std::ranges::rotate(corners, std::ranges::min_element(corners));
-    found.push_back(corners);
-  }
-  std::ranges::sort(found);
-  return found;
-}
 
 /// How many vertices and triangles two cells of the phase touched.
 struct Meetings {
@@ -151,13 +138,13 @@ PARDEL_PROPERTY(CellSchemes, depend_neither_on_workers_nor_on_the_order_of_the_c
   const Kind kind = any_kind();
   How how = some_cells(kind);
   Seen seen;
-  const CornersInOrder first = corners_in(watched(c, how, seen).mesh);
+  const std::vector<PlacedTriangle> first = placed_triangles(watched(c, how, seen).mesh);
   c.workers = *rc::gen::inRange(1, 10);
   c.seed += 1;
   how.turns = how.turns == Turns::in_rounds ? Turns::one_after_the_other : Turns::in_rounds;
   how.assignment = Assignment::round_robin;
   classify(seen.busy > 0, "two cells work in one phase", 10);
-  RC_ASSERT(first == corners_in(refined_in_cells(c, how).mesh));
+  RC_ASSERT(first == placed_triangles(refined_in_cells(c, how).mesh));
 }
 
 PARDEL_PROPERTY(CellSchemes, touch_no_common_vertex_or_triangle_in_a_phase,
@@ -273,12 +260,12 @@ PARDEL_PROPERTY(CellSchemes, of_two_radii_do_not_depend_on_the_order_if_no_circu
   SchemeCase c = some_fine_case(exhibit);
   How how = some_cells(Kind::sharp);
   Seen seen;
-  const CornersInOrder first = corners_in(watched(c, how, seen).mesh);
+  const std::vector<PlacedTriangle> first = placed_triangles(watched(c, how, seen).mesh);
   classify(!seen.outgrown && seen.busy > 0, "two cells work, no circumradius grows", 10);
   if (seen.outgrown) return;
   c.seed += 1;
   how.turns = how.turns == Turns::in_rounds ? Turns::one_after_the_other : Turns::in_rounds;
-  RC_ASSERT(first == corners_in(refined_in_cells(c, how).mesh));
+  RC_ASSERT(first == placed_triangles(refined_in_cells(c, how).mesh));
 }
 
 PARDEL_PROPERTY(
@@ -338,10 +325,10 @@ PARDEL_FACT(CellSchemes, give_one_mesh_in_many_orders,
   for (const Kind kind : {Kind::lattice, Kind::quadtree, Kind::boxes}) {
     SchemeCase c = square_case(4, 1e-4);
     How how{kind, 64};
-    const CornersInOrder first = corners_in(refined_in_cells(c, how).mesh);
+    const std::vector<PlacedTriangle> first = placed_triangles(refined_in_cells(c, how).mesh);
     for (c.seed = 2; c.seed < 9; ++c.seed, ++facts.cases) {
       how.turns = c.seed % 2 == 0 ? Turns::in_rounds : Turns::one_after_the_other;
-      EXPECT_TRUE(first == corners_in(refined_in_cells(c, how).mesh)) << static_cast<int>(kind) << " " << c.seed;
+      EXPECT_TRUE(first == placed_triangles(refined_in_cells(c, how).mesh)) << static_cast<int>(kind) << " " << c.seed;
     }
   }
 }

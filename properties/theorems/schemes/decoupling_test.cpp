@@ -8,6 +8,7 @@
 
 #include "../../../ref/schemes/mesh/predicates.hpp"
 #include "../../domains/domains.hpp"
+#include "same_triangles.hpp"
 #include "some_problem.hpp"
 
 namespace pardel::properties {
@@ -55,19 +56,6 @@ SchemeCase some_rectangle(Exhibit& exhibit) {
   c.goal.max_area = std::min(w, h) * std::min(w, h) / *rc::gen::inRange(150, 700);
   exhibit.show(c.pslg);
   return c;
-}
-
-using PartTriangles = std::vector<std::array<std::pair<double, double>, 3>>;
-PartTriangles triangles_of_parts(const LinkedMesh& mesh) {
-  PartTriangles found;
-  for (schemes::Face const& face : mesh.faces) {
-    std::array<std::pair<double, double>, 3> corners;
-    for (std::size_t i = 0; i < 3; ++i) corners[i] = {mesh.points[face.v[i]].x, mesh.points[face.v[i]].y};
-    std::ranges::rotate(corners, std::ranges::min_element(corners));
-    found.push_back(corners);
-  }
-  std::ranges::sort(found);
-  return found;
 }
 
 double length(const LinkedMesh& mesh, const std::array<Index, 2>& e) {
@@ -175,7 +163,7 @@ PARDEL_PROPERTY(
   RC_ASSERT(one.account.wasted == two.account.wasted);
   RC_ASSERT(one.account.work == two.account.work);
   const bool is_decoupled = one.account.set_backs == 0 && first.end.flips == 0;
-  if (is_decoupled && first.end.late == 0) RC_ASSERT(triangles_of_parts(one.mesh) == triangles_of_parts(two.mesh));
+  if (is_decoupled && first.end.late == 0) RC_ASSERT(placed_triangles(one.mesh) == placed_triangles(two.mesh));
   classify(c.workers > 1 && one.account.set_backs > 0, "a part gives up", 10);
 }
 

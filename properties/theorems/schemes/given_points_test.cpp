@@ -196,7 +196,7 @@ PARDEL_PROPERTY(DividedPoints, triangulation_is_certified,
   const LinkedMesh mesh = required(schemes::triangulate_given_points(c.problem(), some_options())).mesh;
   certify(mesh, c, exhibit);
   classify(c.workers > 4, "more than four workers", 50);
-  RC_ASSERT(plain_triangles(mesh) == plain_triangles(standard(c.pslg.points)));
+  RC_ASSERT(placed_triangles(mesh) == placed_triangles(standard(c.pslg.points)));
 }
 
 PARDEL_PROPERTY(DividedPoints, triangulation_depends_on_the_points_only,
@@ -211,11 +211,11 @@ PARDEL_PROPERTY(DividedPoints, triangulation_depends_on_the_points_only,
   const GivenPointsOptions options = some_options();
   const auto by_one = required(schemes::triangulate_given_points({pslg, goal, 1}));
   const auto by_many = required(schemes::triangulate_given_points({pslg, goal, workers}, options));
-  RC_ASSERT(plain_triangles(by_one.mesh) == plain_triangles(by_many.mesh));
+  RC_ASSERT(placed_triangles(by_one.mesh) == placed_triangles(by_many.mesh));
   Pslg reversed = pslg;
   std::ranges::reverse(reversed.points);
   const auto in_reverse = required(schemes::triangulate_given_points({reversed, goal, workers}, options));
-  RC_ASSERT(plain_triangles(by_one.mesh) == plain_triangles(in_reverse.mesh));
+  RC_ASSERT(placed_triangles(by_one.mesh) == placed_triangles(in_reverse.mesh));
   classify(workers > 8, "more than eight workers", 50);
 }
 

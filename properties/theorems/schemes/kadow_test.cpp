@@ -55,7 +55,7 @@ PARDEL_PROPERTY(Kadow, start_depends_neither_on_workers_nor_on_cuts,
   const schemes::PartedStart many = some_parted_start(c, some_kadow_options().division);
   classify(c.workers > 1, "several workers", 50);
   c.workers = 1;
-  RC_ASSERT(plain_triangles(some_parted_start(c).mesh) == plain_triangles(many.mesh));
+  RC_ASSERT(placed_triangles(some_parted_start(c).mesh) == placed_triangles(many.mesh));
 }
 
 PARDEL_PROPERTY(Kadow, workers_of_a_round_work_in_any_order,
@@ -70,7 +70,7 @@ PARDEL_PROPERTY(Kadow, workers_of_a_round_work_in_any_order,
   SchemeCase in_other_order = c;
   ++in_other_order.seed;
   const KadowRun other = required(schemes::kadow_in_detail(in_other_order.problem(), options));
-  RC_ASSERT(plain_triangles(run.outcome.mesh) == plain_triangles(other.outcome.mesh));
+  RC_ASSERT(placed_triangles(run.outcome.mesh) == placed_triangles(other.outcome.mesh));
   RC_ASSERT(run.outcome.account == other.outcome.account);
 }
 
@@ -86,7 +86,7 @@ PARDEL_PROPERTY(Kadow, one_worker_is_rupperts_algorithm,
   schemes::compact(start.mesh);
   const KadowRun run = required(schemes::kadow_in_detail(c.problem(), some_kadow_options()));
   classify(run.by_workers > 0, "something is inserted", 50);
-  RC_ASSERT(plain_triangles(run.outcome.mesh) == plain_triangles(start.mesh));
+  RC_ASSERT(placed_triangles(run.outcome.mesh) == placed_triangles(start.mesh));
   const schemes::Account& a = run.outcome.account;
   RC_ASSERT(a.messages + a.set_backs + a.wasted + a.sequential + run.by_dedicated == 0U);
   RC_ASSERT(a.critical == a.work);
@@ -194,7 +194,7 @@ PARDEL_FACT(Kadow, two_workers_make_another_mesh_than_one,
   const Goal goal;
   const auto one = schemes::kadow({pslg, goal, 1}), two = schemes::kadow({pslg, goal, 2});
   ASSERT_TRUE(one && two);
-  EXPECT_NE(plain_triangles(one->mesh), plain_triangles(two->mesh));
+  EXPECT_NE(placed_triangles(one->mesh), placed_triangles(two->mesh));
   for (const auto* outcome : {&*one, &*two}) {
     EXPECT_TRUE(check(pslg, schemes::to_mesh(outcome->mesh, pslg), goal).valid);
     ++facts.cases;

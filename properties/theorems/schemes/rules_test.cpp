@@ -26,7 +26,7 @@ std::set<ref::Corners> turned(const LinkedMesh& mesh, const std::vector<Index>& 
   std::set<ref::Corners> found;
   for (const Index t : triangles) {
     ref::Corners v = mesh.faces[t].v;
-    std::ranges::rotate(v, std::ranges::min_element(v));
+    std::rotate(v.begin(), std::min_element(v.begin(), v.end()), v.end());
     found.insert(v);
   }
   return found;
@@ -106,10 +106,12 @@ PARDEL_PROPERTY(SchemeRules, encroached_sides_are_seen_from_their_own_triangles,
   for (Index t = 0; t < mesh.faces.size(); ++t)
     for (int i = 0; i < 3; ++i) {
       if (!schemes::is_constrained(mesh, {t, i})) continue;
-      const auto [a, b] = schemes::ends(mesh, {t, i});
+      const std::array<Index, 2> e = schemes::ends(mesh, {t, i});
+      const ref::ExactPoint& a = plain.points[e[0]];
+      const ref::ExactPoint& b = plain.points[e[1]];
       const auto encroaches = [&](const ref::ExactPoint& p) {
-        return CGAL::orientation(plain.points[a], plain.points[b], p) == CGAL::LEFT_TURN &&
-               ref::encroaches(p, plain.points[a], plain.points[b]) && ref::sees(plain, p, mesh.faces[t].v);
+        return CGAL::orientation(a, b, p) == CGAL::LEFT_TURN && ref::encroaches(p, a, b) &&
+               ref::sees(plain, p, mesh.faces[t].v);
       };
       const bool is_encroached = std::ranges::any_of(plain.points, encroaches);
       found = found || is_encroached;

@@ -19,7 +19,7 @@ using PlacedTriangle = std::array<std::array<double, 2>, 3>;
     if (!mesh.in_use(t)) continue;
     PlacedTriangle corners;
     for (int i = 0; i < 3; ++i) corners[i] = {mesh.corner(t, i).x, mesh.corner(t, i).y};
-    std::ranges::rotate(corners, std::ranges::min_element(corners));
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
     found.push_back(corners);
   }
   std::ranges::sort(found);

@@ -6,6 +6,7 @@
 
 #include "../../../ref/schemes/given_points.hpp"
 #include "../../../ref/schemes/mesh/triangulation.hpp"
+#include "same_triangles.hpp"
 #include "some_problem.hpp"
 
 namespace pardel::properties {
@@ -43,19 +44,6 @@ inline std::vector<Point> some_points(Exhibit& exhibit) {
     pslg.points = some_scheme_case(exhibit).pslg.points;
   exhibit.show(pslg);
   return pslg.points;
-}
-
-/// The triangles as points, so that the numbering does not matter.
-using PlainTriangles = std::set<std::array<std::pair<double, double>, 3>>;
-inline PlainTriangles plain_triangles(const schemes::LinkedMesh& mesh) {
-  PlainTriangles plain;
-  for (Index t = 0; t < mesh.faces.size(); ++t) {
-    std::array<std::pair<double, double>, 3> corners;
-    for (int i = 0; i < 3; ++i) corners.at(static_cast<std::size_t>(i)) = {mesh.corner(t, i).x, mesh.corner(t, i).y};
-    std::ranges::rotate(corners, std::ranges::min_element(corners));
-    plain.insert(corners);
-  }
-  return plain;
 }
 
 /// The undirected edges of a mesh.

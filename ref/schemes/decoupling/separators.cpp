@@ -1,5 +1,7 @@
 #include "separators.hpp"
 
+#include <CGAL/Gmpq.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -17,6 +19,13 @@ using Line = Territory::Line;
 Point on(const Line& line, double at) { return line.in_x ? Point{line.at, at} : Point{at, line.at}; }
 double along(const Line& line, Point p) { return line.in_x ? p.y : p.x; }
 double across_line(const Line& line, Point p) { return (line.in_x ? p.x : p.y) - line.at; }
+/// Where the line crosses the segment pq, rounded once: a point that is rounded more often may lie too far off the
+/// segment. Precondition: p and q lie on different sides of the line.
+double crossing(const Line& line, Point p, Point q) {
+  const CGAL::Gmpq from = along(line, p), to = along(line, q), place = line.at;
+  const CGAL::Gmpq begin = line.in_x ? p.x : p.y, end = line.in_x ? q.x : q.y;
+  return CGAL::to_double(from + (place - begin) * (to - from) / (end - begin));
+}
 double distance(Point p, Point q) { return std::hypot(p.x - q.x, p.y - q.y); }
 
 bool contains(const LinkedMesh& mesh, Index t, Point p) {
@@ -154,23 +163,26 @@ class Layer {
 
   /// The places at which the line crosses segments, each with a new vertex, or no_index for a gap.
   std::map<double, Index> crossings(const Line& line) {
-    std::vector<std::array<Index, 2>> sides;
+    struct Crossed {
+      Index a, b, segment;
+    };
+    std::vector<Crossed> sides;
     std::map<double, Index> found;
     for (Index t = 0; t < mesh_.faces.size(); ++t)
       for (int i = 0; mesh_.in_use(t) && i < 3; ++i) {
         const auto [a, b] = ends(mesh_, {t, i});
         if (!is_constrained(mesh_, {t, i})) continue;
-        if (across_line(line, mesh_.points[a]) * across_line(line, mesh_.points[b]) < 0) sides.push_back({a, b});
+        if (across_line(line, mesh_.points[a]) * across_line(line, mesh_.points[b]) < 0)
+          sides.push_back({a, b, mesh_.faces[t].segment[i]});
         // The angles at vertices are not examined: there is a gap.
         for (const Index v : {a, b})
           if (const double at = along(line, mesh_.points[v]);
               across_line(line, mesh_.points[v]) == 0 && at >= line.low && at <= line.high)
             found.emplace(at, no_index);
       }
-    for (const auto& [a, b] : sides) {
-      const Point p = mesh_.points[a], q = mesh_.points[b];
-      const double share = across_line(line, p) / (across_line(line, p) - across_line(line, q));
-      const double at = along(line, p) + share * (along(line, q) - along(line, p));
+    for (const auto& [a, b, segment] : sides) {
+      const auto [first, second] = mesh_.segments[segment];
+      const double at = crossing(line, mesh_.points[first], mesh_.points[second]);
       if (at < line.low || at > line.high) continue;
       // The side is found again: others may have been split since.
       const Index t = triangle_with(a, b);

@@ -14,6 +14,16 @@ constexpr double rounding = 1e-10;
 /// How far rounding moves a split point near p, at most.
 double rounding_at(Point p) { return 0x1p-50 * std::max(std::abs(p.x), std::abs(p.y)); }
 
+/// The point m, which was computed on the segment ab. If it is more than a rounding off the segment, because midpoints
+/// of midpoints were rounded again and again, one coordinate is computed anew from the ends.
+Point back_on_segment(Point m, Point a, Point b) {
+  const double dx = b.x - a.x, dy = b.y - a.y;
+  const double off = std::abs(dx * (m.y - a.y) - dy * (m.x - a.x));
+  if (off <= rounding_at(m) / 8 * std::hypot(dx, dy)) return m;
+  if (std::abs(dx) >= std::abs(dy)) return {m.x, std::fma(m.x - a.x, dy / dx, a.y)};
+  return {std::fma(m.y - a.y, dx / dy, a.x), m.y};
+}
+
 double distance(Point p, Point q) { return std::hypot(p.x - q.x, p.y - q.y); }
 
 double cosine(Point apex, Point p, Point q) {
@@ -43,10 +53,12 @@ SmallAngles::SmallAngles(const LinkedMesh& mesh)
   std::map<Index, std::vector<Index>> at;
   for (Index s = 0; s < mesh.segments.size(); ++s)
     for (const Index end : mesh.segments[s]) at[end].push_back(s);
-  for (const auto& [apex, segments] : at)
-    for (const Index s : segments)
-      sharp_[s][mesh.segments[s][0] == apex ? 0 : 1] = std::ranges::any_of(
-          segments, [&](Index r) { return r != s && cosine_between(mesh, s, r, apex) > cosine_of_sixty_degrees; });
+  const auto is_sharp = [&](Index s, Index apex) {
+    return std::ranges::any_of(
+        at[apex], [&](Index r) { return r != s && cosine_between(mesh, s, r, apex) > cosine_of_sixty_degrees; });
+  };
+  for (Index s = 0; s < mesh.segments.size(); ++s)
+    for (const std::size_t end : {0U, 1U}) sharp_[s][end] = is_sharp(s, mesh.segments[s][end]);
 }
 
 double SmallAngles::cosine_between(const LinkedMesh& mesh, Index s, Index r, Index apex) {
@@ -65,7 +77,8 @@ Point SmallAngles::split_point(const LinkedMesh& mesh, Index s, Index a, Index b
   };
   if (is_apex(a) == is_apex(b)) {
     const Point p = mesh.points[a], q = mesh.points[b];
-    return {p.x + (q.x - p.x) / 2, p.y + (q.y - p.y) / 2};
+    const Point middle{p.x + (q.x - p.x) / 2, p.y + (q.y - p.y) / 2};
+    return back_on_segment(middle, mesh.points[mesh.segments[s][0]], mesh.points[mesh.segments[s][1]]);
   }
   const Point apex = mesh.points[is_apex(a) ? a : b], end = mesh.points[is_apex(a) ? b : a];
   const double length = distance(apex, end);
