@@ -14,6 +14,8 @@ class Ledger {
   Ledger(const LinkedMesh& mesh, const Bounds& bounds, int workers, const Account& start)
       : territory_(mesh, bounds, workers), account_(start), phase_(workers) {}
 
+  [[nodiscard]] int workers() const { return territory_.workers(); }
+
   /// The owner of the point finds the insertion. The owners of the cavity's triangles send them.
   void find(const LinkedMesh& mesh, const Insertion& insertion, std::uint64_t work) {
     const int worker = territory_.owner(insertion.point);
