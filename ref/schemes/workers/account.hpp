@@ -1,6 +1,6 @@
-// What a run on simulated workers costs. Nothing is timed: work is counted in triangles that are read, so a count is the
-// same on every machine. An insertion that is carried out as soon as it is found reads its triangles once. One that has
-// to wait, for a choice among several or for its last lock, reads them again when it is carried out.
+// What a run on simulated workers costs. Nothing is timed: work is counted in triangles that are read, so a count is
+// the same on every machine. An insertion that is carried out as soon as it is found reads its triangles once. One that
+// has to wait, for a choice among several or for its last lock, reads them again when it is carried out.
 #pragma once
 
 #include <cstdint>
