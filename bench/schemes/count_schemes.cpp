@@ -75,6 +75,7 @@ int run(const Settings& settings) {
   Json mesh;
   for (std::size_t k = 0; k < settings.workers.size(); ++k) {
     Json line{{"scheme", settings.scheme},
+              {"refines", scheme->refines},
               {"input", settings.input},
               {"size", settings.triangles},
               {"workers", settings.workers[k]}};

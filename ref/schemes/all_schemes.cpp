@@ -20,9 +20,10 @@ Result<Outcome> one_worker(const Problem& problem) {
   Result<Start> start = start_of(problem);
   if (!start) return start.error();
   auto& [mesh, bounds, account] = *start;
-  std::uint64_t work = 0;
-  account.insertions = refine_sequentially(mesh, bounds, problem.most_points, &work);
+  const std::size_t inputs = mesh.points.size();
+  const std::uint64_t work = refine_sequentially(mesh, bounds, problem.most_points);
   if (mesh.points.size() >= problem.most_points) return too_many_points(problem);
+  account.insertions = mesh.points.size() - inputs;
   compact(mesh);
   account.sequential += work;
   account.critical = account.before = account.sequential;

@@ -3,21 +3,15 @@
 #include <algorithm>
 #include <deque>
 
-#include "cells/sequential.hpp"
 #include "decoupling/separators.hpp"
 #include "mesh/forced_segments.hpp"
 #include "mesh/predicates.hpp"
+#include "mesh/triangle.hpp"
 #include "workers/phase.hpp"
 #include "workers/random.hpp"
 
 namespace pardel::schemes {
 namespace {
-
-/// A triangle; out of date if the slot has other corners.
-struct Asked {
-  Index triangle;
-  Corners v;
-};
 
 /// The parts of a mesh with separators, refined one after the other: they do not know of each other.
 class Parts {
@@ -25,7 +19,8 @@ class Parts {
   Parts(Start& start, const Problem& problem, const decoupled::Plan& plan, const decoupled::Laid& laid,
         Encroaching encroaching)
       : mesh_(start.mesh), bounds_(start.bounds), problem_(problem), laid_(laid), encroaching_(encroaching) {
-    for (Index t = 0; t < mesh_.faces.size(); ++t) part_.push_back(mesh_.in_use(t) ? plan.part_of(centroid(t)) : -1);
+    for (Index t = 0; t < mesh_.faces.size(); ++t)
+      part_.push_back(mesh_.in_use(t) ? plan.part_of(centroid(mesh_, t)) : -1);
   }
 
   [[nodiscard]] const std::vector<int>& part() const { return part_; }
@@ -44,17 +39,16 @@ class Parts {
       if (is_given_up_) {
         phase.waste(worker(part), work_);
         ++account.set_backs;
-        given_up_.push_back({t, mesh_.faces[t].v});
+        given_up_.push_back(known(mesh_, t));
         continue;
       }
       phase.work(worker(part), work_);
       if (!found) continue;
-      const Corners corners = mesh_.faces[t].v;
       const std::vector<Index> made = carry_out(mesh_, *found);
       part_.resize(mesh_.faces.size(), part);
       for (const Index m : made) part_[m] = part;
       waiting.insert(waiting.end(), made.begin(), made.end());
-      if (mesh_.faces[t].v == corners) waiting.push_back(t);
+      if (!found->cavity.contains(t)) waiting.push_back(t);
     }
   }
 
@@ -62,16 +56,12 @@ class Parts {
   /// The triangles that parts gave up and that are still there.
   [[nodiscard]] std::deque<Index> given_up() const {
     std::deque<Index> left;
-    for (const auto& [t, v] : given_up_)
-      if (mesh_.faces[t].v == v) left.push_back(t);
+    for (const KnownTriangle& each : given_up_)
+      if (is_current(mesh_, each)) left.push_back(each.triangle);
     return left;
   }
 
  private:
-  [[nodiscard]] Point centroid(Index t) const {
-    const Point a = mesh_.corner(t, 0), b = mesh_.corner(t, 1), c = mesh_.corner(t, 2);
-    return {(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3};
-  }
   [[nodiscard]] bool is_separator(Side side) const {
     const Index s = mesh_.faces[side.triangle].segment[side.i];
     return s != no_segment && s >= laid_.first;
@@ -157,7 +147,7 @@ class Parts {
   decoupled::Laid laid_;
   Encroaching encroaching_;
   std::vector<int> part_;
-  std::vector<Asked> given_up_;
+  std::vector<KnownTriangle> given_up_;
   std::uint64_t work_ = 0, separator_splits_ = 0;
   bool is_given_up_ = false;
 };
@@ -174,7 +164,9 @@ void refine_parts(Parts& parts, const decoupled::Plan& plan, const Problem& prob
     phase.send(0, parts.worker(part), bytes_of_triangle * of[static_cast<std::size_t>(part)].size());
     order.push_back(part);
   }
-  std::ranges::sort(order, {}, [&](int part) { return mixed(problem.seed ^ mixed(static_cast<std::uint64_t>(part))); });
+  std::ranges::sort(order, {}, [&](int part) {
+    return random_number(problem.seed ^ random_number(static_cast<std::uint64_t>(part)));
+  });
   for (const int part : order) parts.refine(part, of[static_cast<std::size_t>(part)], phase, account);
   for (const int part : parts.part())
     if (part >= 0) ++held[static_cast<std::size_t>(parts.worker(part))];
@@ -223,7 +215,7 @@ Result<Outcome> decoupling(const Problem& problem, const DecouplingOptions& opti
   waiting.insert(waiting.end(), flipped.begin(), flipped.end());
   end.flips = flipped.size() / 2;
   const std::size_t points = mesh.points.size();
-  const std::uint64_t work = flipped.size() + cells::refine_where(
+  const std::uint64_t work = flipped.size() + refine_where(
                                                   mesh, start->bounds, std::move(waiting), [](Index) { return true; },
                                                   problem.most_points + 1);
   account.sequential += work;

@@ -9,10 +9,6 @@ namespace {
 
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-bool has_triangle(const Cavity& cavity, Index t) {
-  return std::ranges::find(cavity.triangles, t) != cavity.triangles.end();
-}
-
 bool has_vertex(const LinkedMesh& mesh, const Cavity& cavity, Index v) {
   return std::ranges::any_of(cavity.triangles,
                              [&](Index t) { return std::ranges::find(mesh.faces[t].v, v) != mesh.faces[t].v.end(); });
@@ -21,7 +17,7 @@ bool has_vertex(const LinkedMesh& mesh, const Cavity& cavity, Index v) {
 /// Does an unconstrained edge on both boundaries stop being locally Delaunay if both points are inserted?
 bool meet_at_an_edge(const LinkedMesh& mesh, const Insertion& p, const Insertion& q) {
   return std::ranges::any_of(p.cavity.boundary, [&](Side side) {
-    if (is_constrained(mesh, side) || !has_triangle(q.cavity, mesh.faces[side.triangle].n[side.i])) return false;
+    if (is_constrained(mesh, side) || !q.cavity.contains(mesh.faces[side.triangle].n[side.i])) return false;
     const auto [m, n] = ends(mesh, side);
     return in_circumdisk(mesh.points[m], mesh.points[n], p.point, q.point);
   });
@@ -85,7 +81,7 @@ bool are_independent(const LinkedMesh& mesh, const Insertion& p, const Insertion
     return std::ranges::none_of(p.cavity.triangles, [&](Index t) {
       return std::ranges::any_of(mesh.faces[t].v, [&](Index v) { return has_vertex(mesh, q.cavity, v); });
     });
-  const bool share = std::ranges::any_of(p.cavity.triangles, [&](Index t) { return has_triangle(q.cavity, t); });
+  const bool share = std::ranges::any_of(p.cavity.triangles, [&](Index t) { return q.cavity.contains(t); });
   return !share && !meet_at_an_edge(mesh, p, q);
 }
 

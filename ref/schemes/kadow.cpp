@@ -4,23 +4,16 @@
 #include <numeric>
 
 #include "kadow/parted_mesh.hpp"
+#include "workers/random.hpp"
 
 namespace pardel::schemes {
 namespace {
-
-/// SplitMix64 (Steele, Lea, Flood 2014).
-std::uint64_t next_random(std::uint64_t& state) {
-  std::uint64_t z = (state += 0x9e3779b97f4a7c15U);
-  z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
-  z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
-  return z ^ (z >> 31U);
-}
 
 /// The workers in the order in which a round simulates them.
 std::vector<int> order_of_workers(int workers, std::uint64_t& random) {
   std::vector<int> order(static_cast<std::size_t>(workers));
   std::iota(order.begin(), order.end(), 0);
-  for (std::size_t k = order.size(); k > 1; --k) std::swap(order[k - 1], order[next_random(random) % k]);
+  for (std::size_t k = order.size(); k > 1; --k) std::swap(order[k - 1], order[random_number(random++) % k]);
   return order;
 }
 

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "cells/circumradius.hpp"
-#include "cells/sequential.hpp"
 #include "cells/uniform_cells.hpp"
+#include "mesh/extent.hpp"
 
 namespace pardel::schemes {
 namespace {
@@ -17,7 +17,7 @@ cells::Division lattice_over(const LinkedMesh& mesh, double radius, double radii
                              const Territory& territory) {
   // A side that is a little longer makes up for the rounding of the cells' borders.
   const double side = radii_per_side * radius * (1 + cells::rounding);
-  cells::Division division = cells::uniform_cells(cells::extent_of(mesh), side, assignment, territory);
+  cells::Division division = cells::uniform_cells(extent_of(mesh.points), side, assignment, territory);
   if (division.colour.size() > 1)
     division.allows = [=](Point, double r) { return radii_per_side * r * (1 + cells::rounding) <= side; };
   return division;
@@ -28,14 +28,14 @@ Result<Outcome> lattice(const Problem& problem, const LatticeOptions& options) {
   if (!start) return start.error();
   cells::Refinement r{problem, std::move(*start), options.turns, options.watch};
   LinkedMesh& mesh = r.start.mesh;
-  const cells::Extent extent = cells::extent_of(mesh);
+  const Extent extent = extent_of(mesh.points);
   const double radii = radii_per_side(options.side);
   const double wanted =
       options.cells > 0 ? options.cells : static_cast<double>(options.cells_per_worker) * problem.workers;
   const double target = std::sqrt(extent.width() * extent.height() / wanted) / radii;
   // The preprocessing [CC] has a coarser goal; here it is the goal for triangles with large circumdisks.
-  const std::uint64_t work = cells::refine_where(
-      mesh, r.start.bounds, cells::all_triangles(mesh), [&](Index t) { return cells::circumradius(mesh, t) > target; },
+  const std::uint64_t work = refine_where(
+      mesh, r.start.bounds, all_triangles(mesh), [&](Index t) { return cells::circumradius(mesh, t) > target; },
       problem.most_points);
   r.start.account.sequential += work;
   r.start.account.critical += work;

@@ -23,7 +23,7 @@ class TileLevels {
     const int workers = options.lattice_for_workers > 0 ? options.lattice_for_workers : problem.workers;
     while (per_side_ < 4096 && per_side_ * per_side_ < options.tiles_per_worker * workers) per_side_ *= 2;
     for (Index t = 0; t < mesh_.faces.size(); ++t)
-      if (needs_work(mesh_, t, bounds_)) later_.push_back(item(mesh_, t));
+      if (needs_work(mesh_, t, bounds_)) later_.push_back(known(mesh_, t));
   }
 
   /// One worker begins. Lattices of 1 or 2 by 2 tiles have no two tiles of a colour.
@@ -48,7 +48,7 @@ class TileLevels {
   }
 
  private:
-  void alone(const TileRules& rules, std::vector<TileItem> items) {
+  void alone(const TileRules& rules, std::vector<KnownTriangle> items) {
     TileReport report = work_alone(mesh_, rules, std::move(items));
     later_.insert(later_.end(), report.later.begin(), report.later.end());
     account_.sequential += report.work;
@@ -74,9 +74,9 @@ class TileLevels {
     const std::vector<int> owners = placed(rules.lattice);
     if (options_.traces) traces_.push_back({rules.lattice.per_side(), owners, {}});
     Balancer balancer(rules.lattice, owners, std::move(sizes), problem_.workers, options_.rules, account_, counts_);
-    std::vector<TileItem> left;
-    for (const TileItem& each : std::exchange(later_, {})) {
-      if (!is_alive(mesh_, each)) continue;
+    std::vector<KnownTriangle> left;
+    for (const KnownTriangle& each : std::exchange(later_, {})) {
+      if (!is_current(mesh_, each)) continue;
       const int tile = tile_for(mesh_, each.triangle, rules.lattice);
       if (!is_due(mesh_, each.triangle, rules.least_radius)) {
         later_.push_back(each);
@@ -86,7 +86,7 @@ class TileLevels {
         balancer.add(tile, each);
       }
     }
-    const auto work = [&](int tile, std::vector<TileItem> items) {
+    const auto work = [&](int tile, std::vector<KnownTriangle> items) {
       TileReport report = work_on_tile(mesh_, rules, tile, std::move(items));
       left.insert(left.end(), report.left.begin(), report.left.end());
       later_.insert(later_.end(), report.later.begin(), report.later.end());
@@ -111,7 +111,7 @@ class TileLevels {
   int per_side_ = 1;
   BalancingCounts counts_;
   std::vector<BalancingTrace> traces_;
-  std::vector<TileItem> later_;
+  std::vector<KnownTriangle> later_;
 };
 
 }  // namespace

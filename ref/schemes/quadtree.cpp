@@ -4,7 +4,7 @@
 
 #include "cells/circumradius.hpp"
 #include "cells/quadtree_cells.hpp"
-#include "cells/sequential.hpp"
+#include "mesh/triangle.hpp"
 
 namespace pardel::schemes {
 namespace {
@@ -12,9 +12,7 @@ namespace {
 /// The least leaf that a triangle with this circumradius permits is expected to get so many triangles.
 double least_share(const LinkedMesh& mesh, Index t, const Bounds& bounds, double fraction) {
   const double side = cells::circumradius(mesh, t) / fraction;
-  const Point a = mesh.corner(t, 0), b = mesh.corner(t, 1), c = mesh.corner(t, 2);
-  const Point centroid{(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3};
-  return side * side / bounds.wanted_area(centroid, mesh.faces[t].region);
+  return side * side / bounds.wanted_area(centroid(mesh, t), mesh.faces[t].region);
 }
 
 /// Triangles of the wanted size permit no leaf with fewer triangles.
@@ -37,9 +35,9 @@ Result<Outcome> quadtree(const Problem& problem, const QuadtreeOptions& options)
   for (Index t = 0; t < mesh.faces.size(); ++t) all += cells::expected_triangles(mesh, t, bounds);
   // The preprocessing refines the triangles that are too large for leaves with a fair share of the work.
   const double most = std::max(least_leaf, all / wanted);
-  const std::uint64_t work = cells::refine_where(
-      mesh, bounds, cells::all_triangles(mesh),
-      [&](Index t) { return least_share(mesh, t, bounds, options.fraction) > most; }, problem.most_points);
+  const std::uint64_t work = refine_where(
+      mesh, bounds, all_triangles(mesh), [&](Index t) { return least_share(mesh, t, bounds, options.fraction) > most; },
+      problem.most_points);
   r.start.account.sequential += work;
   r.start.account.critical += work;
 

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "cells/circumradius.hpp"
 #include "cells/uniform_cells.hpp"
+#include "mesh/extent.hpp"
 
 namespace pardel::schemes {
 namespace {
@@ -43,11 +45,11 @@ Result<Outcome> region_boxes(const Problem& problem, const RegionBoxesOptions& o
   if (!start) return start.error();
   cells::Refinement r{problem, std::move(*start), options.turns, options.watch};
   LinkedMesh& mesh = r.start.mesh;
-  const cells::Extent extent = cells::extent_of(mesh);
+  const Extent extent = extent_of(mesh.points);
   const double wanted =
       options.cells > 0 ? options.cells : static_cast<double>(options.cells_per_worker) * problem.workers;
-  const Levels levels{std::max(extent.width(), extent.height()),
-                      std::max(0, static_cast<int>(std::ceil(std::log2(wanted) / 2))), options.radii_per_side};
+  const Levels levels{extent.side(), std::max(0, static_cast<int>(std::ceil(std::log2(wanted) / 2))),
+                      options.radii_per_side};
   const Territory territory(mesh, r.start.bounds, problem.workers);
   const auto division_of = [&](int level) {
     // On level 0, one cell is all of the plane.

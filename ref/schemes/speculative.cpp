@@ -8,8 +8,9 @@ namespace {
 /// Draws worker numbers.
 class RandomWorkers {
  public:
-  RandomWorkers(std::uint64_t seed, int workers) : seed_(mixed(seed)), workers_(static_cast<std::uint64_t>(workers)) {}
-  int next() { return static_cast<int>(mixed(seed_ + drawn_++) % workers_); }
+  RandomWorkers(std::uint64_t seed, int workers)
+      : seed_(random_number(seed)), workers_(static_cast<std::uint64_t>(workers)) {}
+  int next() { return static_cast<int>(random_number(seed_ + drawn_++) % workers_); }
 
  private:
   std::uint64_t seed_, workers_, drawn_ = 0;

@@ -30,9 +30,10 @@ def known():
 
 def some_run(**changes):
     """A run that was not counted, for the tables."""
-    plain = {"scheme": "a", "input": "square", "size": 1e4, "workers": 4, "triangles": 10, "sequential": 10, "work": 90,
-             "wasted": 25, "critical": 40, "before": 10, "parallelism": 2.5, "rounds": 3, "barriers": 6, "set_backs": 1,
-             "messages": 8, "bytes": 3e6, "most_held": 5, "smallest_angle": 21, "certified": True, "seconds": 2.0}
+    plain = {"scheme": "a", "refines": True, "input": "square", "size": 1e4, "workers": 4, "triangles": 10,
+             "sequential": 10, "work": 90, "wasted": 25, "critical": 40, "before": 10, "parallelism": 2.5, "rounds": 3,
+             "barriers": 6, "set_backs": 1, "messages": 8, "bytes": 3e6, "most_held": 5, "smallest_angle": 21,
+             "certified": True, "seconds": 2.0}
     return {**plain, **changes}
 
 
@@ -119,6 +120,10 @@ class Drawing(unittest.TestCase):
         self.assertEqual(best["square", 4, 1e4]["scheme"], "a")
         self.assertEqual(best["pipe", 4, 1e4]["scheme"], "b")
         self.assertEqual(len(best), 8)
+
+    def test_schemes_that_meet_no_goal_win_nothing(self):
+        best = strategies.winners([some_run(seconds=0, refines=False), some_run(scheme="b")])
+        self.assertEqual(best["square", 4, 1e4]["scheme"], "b")
 
     def test_failed_runs_win_nothing(self):
         best = strategies.winners([{**some_run(seconds=0), "error": "no mesh"}, some_run(scheme="b")])

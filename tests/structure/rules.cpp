@@ -125,6 +125,7 @@ const std::vector<Exception>& exceptions() {
       {"distributed", "off_the_shelf/schemes", "the ranks share the tasks of the schemes"},
       {"off_the_shelf", "core/support", "core/support is for all folders of the project"},
       {"off_the_shelf", "parallel", "the schemes work on the engine's triangulation"},
+      {"ref", "core/support", "core/support is for all folders of the project"},
       {"properties", "core/support", "core/support is for all folders of the project"},
       {"cli", "core/support", "core/support is for all folders of the project"},
       {"mpi", "core/support", "core/support is for all folders of the project"},

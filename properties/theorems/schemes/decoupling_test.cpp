@@ -6,6 +6,7 @@
 #include <numbers>
 #include <set>
 
+#include "../../../core/support/smallest_angle.hpp"
 #include "../../../ref/schemes/mesh/predicates.hpp"
 #include "../../domains/domains.hpp"
 #include "same_triangles.hpp"
@@ -66,12 +67,8 @@ double length(const LinkedMesh& mesh, const std::array<Index, 2>& e) {
 double least_angle_of(const LinkedMesh& mesh) {
   double least = 180;
   for (Index t = 0; t < mesh.faces.size(); ++t)
-    for (int i = 0; mesh.in_use(t) && i < 3; ++i) {
-      const Point a = mesh.corner(t, i), b = mesh.corner(t, (i + 1) % 3), c = mesh.corner(t, (i + 2) % 3);
-      const double x = (b.x - a.x) * (c.x - a.x) + (b.y - a.y) * (c.y - a.y);
-      const double y = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-      least = std::min(least, std::atan2(y, x) * 180 / std::numbers::pi);
-    }
+    if (mesh.in_use(t))
+      least = std::min(least, smallest_angle({mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)}));
   return least;
 }
 

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "../../../ref/schemes/mesh/predicates.hpp"
+#include "../../domains/domains.hpp"
 #include "some_points.hpp"
 
 namespace pardel::properties {
@@ -269,16 +270,7 @@ PARDEL_FACT(DividedPoints, a_worker_holds_its_share_of_random_points,
             {.statement = "Of n random points in a square, no worker holds more than 3 n / workers triangles.",
              .source = "Blelloch, Hardwick, Miller, Talmor 1999, Section 4",
              .families = "5,000 random points, 1 to 64 workers"}) {
-  std::uint64_t state = 1;
-  const auto coordinate = [&] {
-    state = state * 6364136223846793005U + 1442695040888963407U;
-    return static_cast<double>(state >> 34U) * 0x1p-30;
-  };
-  Pslg pslg;
-  for (int k = 0; k < 5000; ++k) {
-    const double x = coordinate();
-    pslg.points.push_back({x, coordinate()});
-  }
+  const Pslg pslg = domains::random_points(5000, 1);
   const Goal goal = no_bounds();
   for (int workers = 1; workers <= 64; workers *= 2, ++facts.cases) {
     const auto outcome = schemes::triangulate_given_points({pslg, goal, workers});

@@ -29,12 +29,11 @@ Speculation some_speculation(const SchemeCase& c) {
 }
 
 /// A worker that is not idle, drawn at random.
-int some_worker(const Speculation& run, const SchemeCase& c, std::uint64_t& state) {
+int some_worker(const Speculation& run, const SchemeCase& c, generators::Random& random) {
   std::vector<int> busy;
   for (int w = 0; w < c.workers; ++w)
     if (!run.is_idle(w)) busy.push_back(w);
-  state = state * 6364136223846793005U + 1442695040888963407U;
-  return busy[(state >> 33U) % busy.size()];
+  return random.one_of(busy);
 }
 
 bool is_unchanged(const schemes::Face& a, const schemes::Face& b) {
@@ -47,7 +46,8 @@ std::vector<int> all_holders(const Speculation& run) {
   return all;
 }
 
-/// Ruppert's algorithm with a queue of bad triangles.
+/// Ruppert's algorithm with a queue of bad triangles. A place in the queue is of a bad triangle only, so the order is
+/// not that of refine_sequentially().
 LinkedMesh refined_from_a_queue(schemes::Start start) {
   LinkedMesh& mesh = start.mesh;
   std::deque<Index> bad;
@@ -62,8 +62,7 @@ LinkedMesh refined_from_a_queue(schemes::Start start) {
     const auto insertion = schemes::insertion_for(mesh, t, start.bounds);
     if (!insertion) continue;
     std::ranges::for_each(schemes::carry_out(mesh, *insertion), add_if_bad);
-    const auto& old = insertion->cavity.triangles;
-    if (std::ranges::find(old, t) == old.end()) bad.push_back(t);
+    if (!insertion->cavity.contains(t)) bad.push_back(t);
   }
   schemes::compact(mesh);
   return std::move(start.mesh);
@@ -109,8 +108,8 @@ PARDEL_PROPERTY(Speculative, a_set_back_leaves_nothing_behind,
   const SchemeCase c = some_scheme_case(exhibit);
   Speculation run = some_speculation(c);
   bool met = false, taken_away = false;
-  for (std::uint64_t state = c.seed; !run.is_over();) {
-    const int w = some_worker(run, c, state);
+  for (generators::Random random(c.seed); !run.is_over();) {
+    const int w = some_worker(run, c, random);
     const int loser = run.would_set_back(w);
     const std::uint64_t set_backs = run.account().set_backs;
     if (loser == schemes::no_worker) {
@@ -141,8 +140,8 @@ PARDEL_PROPERTY(Speculative, only_locked_triangles_change,
   const SchemeCase c = some_scheme_case(exhibit);
   Speculation run = some_speculation(c);
   bool together = false;
-  for (std::uint64_t state = c.seed; !run.is_over();) {
-    const int w = some_worker(run, c, state);
+  for (generators::Random random(c.seed); !run.is_over();) {
+    const int w = some_worker(run, c, random);
     const std::size_t points = run.points();
     if (!run.will_change_the_mesh(w)) {
       run.step(w);
@@ -179,8 +178,8 @@ PARDEL_PROPERTY(Speculative, the_account_follows_from_what_was_done,
   Speculation run = some_speculation(c);
   std::uint64_t steps = 0;
   std::vector<std::uint64_t> of_worker(static_cast<std::size_t>(c.workers), 0);
-  for (std::uint64_t state = c.seed; !run.is_over(); ++steps) {
-    const int w = some_worker(run, c, state);
+  for (generators::Random random(c.seed); !run.is_over(); ++steps) {
+    const int w = some_worker(run, c, random);
     ++of_worker[static_cast<std::size_t>(w)];
     run.step(w);
   }

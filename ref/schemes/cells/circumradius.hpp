@@ -30,19 +30,4 @@ inline constexpr double rounding = 0x1p-40;
   return largest;
 }
 
-/// The corners of the smallest upright box around the points of a mesh.
-struct Extent {
-  Point low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
-  [[nodiscard]] double width() const { return high.x - low.x; }
-  [[nodiscard]] double height() const { return high.y - low.y; }
-};
-[[nodiscard]] inline Extent extent_of(const LinkedMesh& mesh) {
-  Extent e;
-  for (const Point p : mesh.points) {
-    e.low = {std::min(e.low.x, p.x), std::min(e.low.y, p.y)};
-    e.high = {std::max(e.high.x, p.x), std::max(e.high.y, p.y)};
-  }
-  return e;
-}
-
 }  // namespace pardel::schemes::cells

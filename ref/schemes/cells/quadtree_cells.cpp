@@ -6,6 +6,8 @@
 #include <set>
 #include <unordered_map>
 
+#include "../mesh/extent.hpp"
+#include "../mesh/triangle.hpp"
 #include "circumradius.hpp"
 
 namespace pardel::schemes::cells {
@@ -56,8 +58,8 @@ class Quadtree {
   Quadtree(const LinkedMesh& mesh, const Bounds& bounds, double wanted, double fraction) : fraction_(fraction) {
     // The mesh is in the middle of the square, more than a third of its side away from its border. If the square is
     // divided, all circumradii are below side / 8, so all circumdisks lie in it.
-    const Extent extent = extent_of(mesh);
-    side_ = std::exp2(std::ceil(std::log2(std::max(extent.width(), extent.height()))) + 2);
+    const Extent extent = extent_of(mesh.points);
+    side_ = std::exp2(std::ceil(std::log2(extent.side())) + 2);
     const double unit = std::ldexp(side_, -deepest);
     const auto below = [&](double low, double high) {
       return std::floor((low / 2 + high / 2 - side_ / 2) / unit) * unit;
@@ -234,10 +236,7 @@ void choose_colours(Division& division) {
 }  // namespace
 
 double expected_triangles(const LinkedMesh& mesh, Index t, const Bounds& bounds) {
-  const Point a = mesh.corner(t, 0), b = mesh.corner(t, 1), c = mesh.corner(t, 2);
-  const double area = ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / 2;
-  const Point centroid{(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3};
-  return std::max(1.0, area / bounds.wanted_area(centroid, mesh.faces[t].region));
+  return std::max(1.0, twice_area(mesh, t) / 2 / bounds.wanted_area(centroid(mesh, t), mesh.faces[t].region));
 }
 
 Division quadtree_cells(const LinkedMesh& mesh, const Bounds& bounds, double wanted, double fraction,

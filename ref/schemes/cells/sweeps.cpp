@@ -26,7 +26,7 @@ std::vector<Index> cells_at_work(const Refinement& r, const Division& division, 
   std::vector<Index> cells;
   for (Index cell = 0; cell < lists.size(); ++cell)
     if (division.colour[cell] == colour && !lists[cell].empty()) cells.push_back(cell);
-  std::ranges::sort(cells, {}, [&](Index cell) { return mixed(r.problem.seed ^ mixed(cell)); });
+  std::ranges::sort(cells, {}, [&](Index cell) { return random_number(r.problem.seed ^ random_number(cell)); });
   return cells;
 }
 
@@ -113,7 +113,7 @@ bool run_phase(Refinement& r, const Division& division, Lists& lists, int colour
 void assess_all(Refinement& r) {
   const LinkedMesh& mesh = r.start.mesh;
   for (Index t = 0; t < mesh.faces.size(); ++t)
-    if (mesh.in_use(t) && needs_work(mesh, t, r.start.bounds)) r.waiting.push_back({t, mesh.faces[t].v});
+    if (mesh.in_use(t) && needs_work(mesh, t, r.start.bounds)) r.waiting.push_back({known(mesh, t)});
 }
 
 std::uint64_t sweep(Refinement& r, const Division& division) {

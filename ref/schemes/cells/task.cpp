@@ -6,19 +6,10 @@
 namespace pardel::schemes::cells {
 namespace {
 
-/// The corners of a triangle from the first one in lexicographic order on, and the side that is to be split.
+/// The place of the triangle, and the side that is to be split, counted from its first corner.
 using Key = std::tuple<std::array<double, 6>, int>;
 Key key_of(const LinkedMesh& mesh, const Waiting& w) {
-  const auto at = [&](int i) { return std::pair(mesh.points[w.v[i]].x, mesh.points[w.v[i]].y); };
-  int first = 0;
-  for (const int i : {1, 2})
-    if (at(i) < at(first)) first = i;
-  std::array<double, 6> key{};
-  for (int i = 0; i < 3; ++i) {
-    key[static_cast<std::size_t>(2 * i)] = at((first + i) % 3).first;
-    key[static_cast<std::size_t>(2 * i + 1)] = at((first + i) % 3).second;
-  }
-  return {key, w.side < 0 ? -1 : (w.side - first + 3) % 3};
+  return {place_of(mesh, w.v), w.side < 0 ? -1 : (w.side - first_corner(mesh, w.v) + 3) % 3};
 }
 
 }  // namespace
@@ -90,7 +81,7 @@ std::optional<Insertion> Task::insertion_of(const Waiting& w) {
 std::optional<Insertion> Task::split(const Waiting& w, Side side) {
   const Point p = bounds_.small_angles().split_point(mesh_, side);
   if (!division_.owns_box && !owns(p)) {
-    handed_on_.push_back({{side.triangle, mesh_.faces[side.triangle].v, side.i}, division_.cell_of(p)});
+    handed_on_.push_back({{known(mesh_, side.triangle), side.i}, division_.cell_of(p)});
     return std::nullopt;
   }
   std::optional<Insertion> found = split_of(mesh_, side, bounds_.small_angles());
@@ -136,7 +127,7 @@ void Task::carry_out_for(const Waiting& w, const Insertion& insertion) {
 void Task::consider(Index t) {
   const std::optional<Point> p = first_point(mesh_, t, bounds_);
   if (!p) return;
-  const Waiting w{t, mesh_.faces[t].v};
+  const Waiting w{known(mesh_, t)};
   if (!division_.is_due(mesh_, t)) {
     later_.push_back(w);
   } else if (const Index to = division_.cell_of(*p); to == cell_) {

@@ -1,15 +1,14 @@
 // The task of one cell in one phase: Ruppert's loop on the triangles whose split points the cell contains.
 #pragma once
 
+#include "../mesh/triangle.hpp"
 #include "../rules/ruppert.hpp"
 #include "division.hpp"
 
 namespace pardel::schemes::cells {
 
 /// A triangle that needs work or, if `side` is not negative, the side of a triangle that is to be split.
-struct Waiting {
-  Index triangle = no_index;
-  Corners v{};    ///< if the triangle has other corners now, the entry is out of date
+struct Waiting : KnownTriangle {
   int side = -1;  ///< a constrained side, upon which a circumcentre of another triangle encroaches
 };
 
@@ -18,10 +17,6 @@ struct Waiting {
 [[nodiscard]] std::optional<Point> first_point(const LinkedMesh& mesh, Index t, const Bounds& bounds);
 /// The same for an entry. Precondition: it is not out of date.
 [[nodiscard]] std::optional<Point> first_point(const LinkedMesh& mesh, const Waiting& w, const Bounds& bounds);
-
-[[nodiscard]] inline bool is_current(const LinkedMesh& mesh, const Waiting& w) {
-  return mesh.faces[w.triangle].v == w.v;
-}
 
 /// What a task used: the vertices of the closures of its cavities, and the triangles that it read or wrote.
 struct Touched {

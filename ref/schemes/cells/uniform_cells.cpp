@@ -47,7 +47,7 @@ struct Grid {
 }  // namespace
 
 Division uniform_cells(const Extent& extent, double side, Assignment assignment, const Territory& territory) {
-  const double width = std::max(extent.width(), extent.height());
+  const double width = extent.side();
   const bool is_one_cell = !(side <= width);
   const double used = is_one_cell ? width : std::max(side, width / most_cells_in_a_row);
   const auto count = [&](double length) {

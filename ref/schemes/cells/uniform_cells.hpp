@@ -1,7 +1,7 @@
 // Square cells of one size.
 #pragma once
 
-#include "circumradius.hpp"
+#include "../mesh/extent.hpp"
 #include "division.hpp"
 
 namespace pardel::schemes::cells {

@@ -7,8 +7,10 @@
 #include <map>
 #include <optional>
 
-#include "../cells/circumradius.hpp"
+#include "../mesh/extent.hpp"
 #include "../mesh/predicates.hpp"
+#include "../mesh/triangle.hpp"
+#include "../mesh/triangulation.hpp"
 #include "../rules/ruppert.hpp"
 
 namespace pardel::schemes::decoupled {
@@ -28,26 +30,9 @@ double crossing(const Line& line, Point p, Point q) {
 }
 double distance(Point p, Point q) { return std::hypot(p.x - q.x, p.y - q.y); }
 
-bool contains(const LinkedMesh& mesh, Index t, Point p) {
-  for (int i = 0; i < 3; ++i) {
-    const auto [a, b] = ends(mesh, {t, i});
-    if (orientation(mesh.points[a], mesh.points[b], p) < 0) return false;
-  }
-  return true;
-}
-
 class Layer {
  public:
-  Layer(LinkedMesh& mesh, const Bounds& bounds, double length) : mesh_(mesh), bounds_(bounds), length_(length) {
-    std::map<Index, std::vector<Index>> at;
-    is_sharp_.resize(mesh.segments.size(), false);
-    for (Index s = 0; s < mesh.segments.size(); ++s)
-      for (const Index end : mesh.segments[s]) at[end].push_back(s);
-    for (const auto& [apex, segments] : at)
-      for (const Index s : segments)
-        for (const Index r : segments)
-          if (s != r && cosine(apex, s, r) > 0.5) is_sharp_[s] = true;
-  }
+  Layer(LinkedMesh& mesh, const Bounds& bounds, double length) : mesh_(mesh), bounds_(bounds), length_(length) {}
 
   /// Inserts vertices where the line crosses segments. All lines do so before any is laid: shorter sides are encroached
   /// upon by fewer points.
@@ -94,17 +79,6 @@ class Layer {
   }
 
  private:
-  [[nodiscard]] double cosine(Index apex, Index s, Index r) const {
-    const auto direction = [&](Index segment) {
-      const auto& e = mesh_.segments[segment];
-      const Point p = mesh_.points[apex], q = mesh_.points[e[0] == apex ? e[1] : e[0]];
-      const double length = distance(p, q);
-      return Point{(q.x - p.x) / length, (q.y - p.y) / length};
-    };
-    const Point p = direction(s), q = direction(r);
-    return p.x * q.x + p.y * q.y;
-  }
-
   /// The triangle that contains p: a walk from the last one, or a search where the walk leaves the domain.
   Index triangle_at(Point p) {
     if (last_ >= mesh_.faces.size() || !mesh_.in_use(last_)) last_ = 0;
@@ -119,9 +93,9 @@ class Layer {
       t = mesh_.faces[t].n[leave];
     }
     work_ += mesh_.faces.size();
-    for (Index other = 0; other < mesh_.faces.size(); ++other)
-      if (mesh_.in_use(other) && contains(mesh_, other, p)) return last_ = other;
-    return no_index;
+    t = triangle_around(mesh_, p);
+    if (t != no_index) last_ = t;
+    return t;
   }
 
   /// Inserts p. Returns its vertex, or no_index if it would be too close to something. `least`: the least distance from
@@ -202,11 +176,9 @@ class Layer {
     while (ends(mesh_, {t, i}) != std::array{a, b}) ++i;
     const Side side{t, i};
     const bool is_good = std::abs(along(line, q) - along(line, p)) <= 0.5 * distance(p, q);
-    if (!is_good || is_sharp_[mesh_.faces[t].segment[i]] || x == p || x == q) return no_index;
+    if (!is_good || bounds_.small_angles().is_at(mesh_.faces[t].segment[i]) || x == p || x == q) return no_index;
     Insertion found{t, x, side, {}};
-    std::vector<Index> starts = {t};
-    if (mesh_.faces[t].n[i] != no_index) starts.push_back(mesh_.faces[t].n[i]);
-    found.cavity = cavity_of(mesh_, x, starts);
+    found.cavity = cavity_of(mesh_, x, triangles_at(mesh_, side));
     work_ += found.work();
     return can_be_connected(mesh_, found.cavity, x, side) ? carried_out(found) : no_index;
   }
@@ -214,12 +186,8 @@ class Layer {
   /// The length of a piece at p. Without a wanted size it is that of the mesh there.
   [[nodiscard]] double piece_at(Point p, Index t) const {
     double area = bounds_.wanted_area(p, mesh_.faces[t].region);
-    if (!std::isfinite(area)) area = std::abs(twice_area(t)) / 2;
+    if (!std::isfinite(area)) area = twice_area(mesh_, t) / 2;
     return length_ * piece_of_unit_area * std::sqrt(area);
-  }
-  [[nodiscard]] double twice_area(Index t) const {
-    const Point a = mesh_.corner(t, 0), b = mesh_.corner(t, 1), c = mesh_.corner(t, 2);
-    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
   }
 
   /// Lays the pieces between two stops.
@@ -258,7 +226,6 @@ class Layer {
   LinkedMesh& mesh_;
   const Bounds& bounds_;
   double length_;
-  std::vector<bool> is_sharp_;
   Index last_ = 0;
   std::uint64_t work_ = 0;
   std::size_t gaps_ = 0;
@@ -269,7 +236,7 @@ class Layer {
 }  // namespace
 
 Plan lattice_plan(const LinkedMesh& mesh, int workers) {
-  const cells::Extent e = cells::extent_of(mesh);
+  const Extent e = extent_of(mesh.points);
   const int columns = std::max(1, static_cast<int>(std::sqrt(workers)));
   const int rows = (workers + columns - 1) / columns;
   const auto place = [](double low, double length, int k, int count) { return low + length * k / count; };
@@ -286,7 +253,7 @@ Plan lattice_plan(const LinkedMesh& mesh, int workers) {
 }
 
 Plan bisection_plan(const LinkedMesh& mesh, const Territory& territory) {
-  const cells::Extent e = cells::extent_of(mesh);
+  const Extent e = extent_of(mesh.points);
   return {territory.borders(e.low, e.high), territory.workers(), [&](Point p) { return territory.owner(p); }};
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 
+#include "../../../core/support/without_repetitions.hpp"
 #include "../mesh/predicates.hpp"
 #include "../mesh/triangulation.hpp"
 
@@ -19,8 +20,7 @@ std::vector<Index> sorted_ends(const std::vector<DirectedEdge>& edges) {
     ends.push_back(a);
     ends.push_back(b);
   }
-  std::ranges::sort(ends);
-  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  sort_without_repetitions(ends);
   return ends;
 }
 

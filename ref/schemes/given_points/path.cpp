@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "../../../core/support/point_order.hpp"
+#include "../mesh/forced_segments.hpp"
 #include "../mesh/predicates.hpp"
 
 namespace pardel::schemes {
@@ -48,7 +50,7 @@ bool lies_below(const std::vector<Point>& points, const std::array<Index, 3>& v,
   const Point a = turned(points[v[0]], cut), b = turned(points[v[1]], cut), c = turned(points[v[2]], cut);
   const int sign = sign_of([&] { return turn<Interval>(a, b, c, m); }, [&] { return turn<CGAL::Gmpq>(a, b, c, m); });
   if (sign != 0) return sign > 0;
-  return is_smaller(points[v[1]], points[v[0]]) && is_smaller(points[v[1]], points[v[2]]);
+  return lexicographically_less(points[v[1]], points[v[0]]) && lexicographically_less(points[v[1]], points[v[2]]);
 }
 
 }  // namespace
@@ -63,7 +65,7 @@ std::vector<Index> dividing_path(const std::vector<Point>& points, const std::ve
     if (p.first != q.first) return p.first < q.first;
     if (p.second == q.second) return false;
     const int sign = sign_of_rise(turned(points[p.second], cut), turned(points[q.second], cut), centre);
-    return sign != 0 ? sign > 0 : is_smaller(points[p.second], points[q.second]);
+    return sign != 0 ? sign > 0 : lexicographically_less(points[p.second], points[q.second]);
   });
   std::vector<Index> path;
   double last = 0;
@@ -82,25 +84,16 @@ std::uint64_t settle_ties(LinkedMesh& mesh) {
   for (Index t = 0; t < mesh.faces.size(); ++t)
     for (int i = 0; i < 3; ++i)
       if (mesh.faces[t].n[i] != no_index && mesh.faces[t].n[i] < t) sides.push_back({t, i});
-  std::uint64_t flips = 0;
-  while (!sides.empty()) {
-    const Side side = sides.back();
-    sides.pop_back();
-    if (mesh.faces[side.triangle].n[side.i] == no_index || is_constrained(mesh, side)) continue;
-    const Side twin = across(mesh, side);
+  const auto breaks_the_rule = [&](Side side, Side twin) {
     const auto [a, b] = ends(mesh, side);
     const Point p = mesh.points[a], q = mesh.points[b];
     const Point c = mesh.corner(side.triangle, side.i), d = mesh.corner(twin.triangle, twin.i);
-    const Point smallest = std::min({p, q, c, d}, is_smaller);
-    if (smallest == p || smallest == q) continue;
-    if (CGAL::side_of_oriented_circle(filtered(c), filtered(p), filtered(q), filtered(d)) != CGAL::ON_ORIENTED_BOUNDARY)
-      continue;
-    flip(mesh, side);
-    ++flips;
-    for (const Index t : {side.triangle, twin.triangle})
-      for (const int i : {0, 2}) sides.push_back({t, i});
-  }
-  return flips;
+    const Point smallest = std::min({p, q, c, d}, lexicographically_less);
+    return smallest != p && smallest != q &&
+           CGAL::side_of_oriented_circle(filtered(c), filtered(p), filtered(q), filtered(d)) ==
+               CGAL::ON_ORIENTED_BOUNDARY;
+  };
+  return flip_where(mesh, std::move(sides), breaks_the_rule).size() / 2;
 }
 
 }  // namespace pardel::schemes

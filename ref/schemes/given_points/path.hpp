@@ -19,20 +19,18 @@ enum class Cut : std::uint8_t { x, y };
 /// median" is always on the left, and a path that goes up has this side on its left.
 [[nodiscard]] inline Point turned(Point p, Cut cut) { return cut == Cut::x ? p : Point{p.y, -p.x}; }
 
-/// The tie rule of all cocircular points: the lexicographically smallest of them counts as nearest to the centre. Then
-/// the Delaunay triangulation is unique: every polygon of cocircular points is a fan around its smallest corner.
-[[nodiscard]] inline bool is_smaller(Point p, Point q) { return p.x != q.x ? p.x < q.x : p.y < q.y; }
-
 /// The lower convex hull of the points (p.y - m.y, |p - m|^2), in turned coordinates, from the lowest y to the highest:
 /// the projections of points of the paraboloid above m onto the plane through the line of the cut. Any two neighbours
 /// on it lie on an empty circle with its centre on the line, so they are joined in the Delaunay triangulation of the
-/// points. Exact: the sign of a polynomial of degree 3 in differences of coordinates, by intervals, then by rational
+/// points. The tie rule of all cocircular points: the lexicographically smallest of them counts as nearest to the
+/// centre. Then the Delaunay triangulation is unique: every polygon of cocircular points is a fan around its smallest
+/// corner. Exact: the sign of a polynomial of degree 3 in differences of coordinates, by intervals, then by rational
 /// numbers. O(n log n) time.
 [[nodiscard]] std::vector<Index> dividing_path(const std::vector<Point>& points, const std::vector<Index>& of, Point m,
                                                Cut cut);
 
-/// Flips sides whose four corners are cocircular until the tie rule holds everywhere. Returns the number of flips.
-/// Precondition: unconstrained sides are locally Delaunay.
+/// Flips sides whose four corners are cocircular until the tie rule of dividing_path() holds everywhere. Returns the
+/// number of flips. Precondition: unconstrained sides are locally Delaunay.
 std::uint64_t settle_ties(LinkedMesh& mesh);
 
 }  // namespace pardel::schemes

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "../../../core/support/without_repetitions.hpp"
+
 namespace pardel::schemes {
 namespace {
 
@@ -13,11 +15,6 @@ struct Share {
   std::vector<Index> triangles;
   std::vector<Index> points, inner;
 };
-
-void sort_and_unite(std::vector<Index>& values) {
-  std::ranges::sort(values);
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-}
 
 /// Points on the border of the domain and on interfaces are not inner points.
 void find_points(const PartedMesh& parted, Share& share) {
@@ -31,8 +28,8 @@ void find_points(const PartedMesh& parted, Share& share) {
       on_border.push_back(a);
       on_border.push_back(b);
     }
-  sort_and_unite(share.points);
-  sort_and_unite(on_border);
+  sort_without_repetitions(share.points);
+  sort_without_repetitions(on_border);
   std::ranges::set_difference(share.points, on_border, std::back_inserter(share.inner));
 }
 
@@ -122,7 +119,7 @@ std::uint64_t read_before_interface(const PartedMesh& parted, const Insertion& i
     for (int i = 0; i < 3; ++i) {
       const Index other = parted.mesh.faces[reached[k]].n[i];
       const bool is_open = other != no_index && !is_constrained(parted.mesh, {reached[k], i});
-      if (!is_open || parted.owner[other] != worker || !contains(cavity.triangles, other))
+      if (!is_open || parted.owner[other] != worker || !cavity.contains(other))
         ++rim;
       else if (!contains(reached, other))
         reached.push_back(other);
@@ -152,8 +149,7 @@ void carry_out(PartedMesh& parted, const Insertion& insertion) {
     parted.waiting[at(owners[k])].push_back(made[k]);
   }
   const Index t = insertion.triangle;
-  if (std::ranges::find(insertion.cavity.triangles, t) == insertion.cavity.triangles.end())
-    parted.waiting[at(parted.owner[t])].push_back(t);
+  if (!insertion.cavity.contains(t)) parted.waiting[at(parted.owner[t])].push_back(t);
 }
 
 std::vector<int> owners_of(const PartedMesh& parted, const Cavity& cavity) {
@@ -169,7 +165,7 @@ std::uint64_t interfaces_inside(const PartedMesh& parted, const Cavity& cavity) 
     for (int i = 0; i < 3; ++i) {
       const Index other = parted.mesh.faces[t].n[i];
       if (other == no_index || is_constrained(parted.mesh, {t, i}) || parted.owner[other] == parted.owner[t]) continue;
-      if (std::ranges::find(cavity.triangles, other) != cavity.triangles.end()) ++twice;
+      if (cavity.contains(other)) ++twice;
     }
   return twice / 2;
 }

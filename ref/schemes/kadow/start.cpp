@@ -48,12 +48,6 @@ void count_splits(const std::vector<Piece>& pieces, const std::vector<std::size_
   phase.end(account);
 }
 
-bool covers(const LinkedMesh& mesh, Index t, Point p) {
-  return orientation(mesh.corner(t, 0), mesh.corner(t, 1), p) >= 0 &&
-         orientation(mesh.corner(t, 1), mesh.corner(t, 2), p) >= 0 &&
-         orientation(mesh.corner(t, 2), mesh.corner(t, 0), p) >= 0;
-}
-
 /// Values of triangles that spread up to segments. A worker spreads them in its part, and tells its neighbours.
 class Spreading {
  public:
@@ -92,36 +86,25 @@ class Spreading {
 
 /// Removes the outside and the holes, and gives triangles their regions.
 void carve_in_parts(LinkedMesh& mesh, std::vector<int>& owner, const Pslg& pslg, int workers, Account& account) {
-  constexpr Index removed = 0;
   Spreading spreading(mesh, owner, workers);
   const auto around = [&](Point p) {
-    std::vector<Index> found;
-    for (Index t = 0; t < mesh.faces.size() && found.empty(); ++t)
-      if (covers(mesh, t, p)) found.push_back(t);
-    return found;
+    const Index t = triangle_around(mesh, p);
+    return t == no_index ? std::vector<Index>() : std::vector<Index>{t};
   };
   std::vector<Index> outside;
   for (Index t = 0; t < mesh.faces.size(); ++t)
     for (int i = 0; i < 3; ++i)
       if (mesh.faces[t].n[i] == no_index && !is_constrained(mesh, {t, i})) outside.push_back(t);
-  spreading.spread(outside, removed, account);
-  for (const Point hole : pslg.holes) spreading.spread(around(hole), removed, account);
+  spreading.spread(outside, removed_face, account);
+  for (const Point hole : pslg.holes) spreading.spread(around(hole), removed_face, account);
   for (Index r = 0; r < pslg.regions.size(); ++r) {
     const std::vector<Index> start = around(pslg.regions[r].seed);
-    if (!start.empty() && spreading.values[start.front()] != removed) spreading.spread(start, r + 1, account);
+    if (!start.empty() && spreading.values[start.front()] != removed_face) spreading.spread(start, r + 1, account);
   }
-  const std::vector<Index>& values = spreading.values;
   std::vector<int> kept;
-  for (Index t = 0; t < mesh.faces.size(); ++t) {
-    Face& face = mesh.faces[t];
-    if (values[t] != removed) kept.push_back(owner[t]);
-    if (values[t] != no_index && values[t] != removed) face.region = values[t] - 1;
-    for (Index& n : face.n)
-      if (n != no_index && values[n] == removed) n = no_index;
-  }
   for (Index t = 0; t < mesh.faces.size(); ++t)
-    if (values[t] == removed) mesh.faces[t] = {};
-  compact(mesh);
+    if (spreading.values[t] != removed_face) kept.push_back(owner[t]);
+  keep_faces(mesh, spreading.values);
   owner = std::move(kept);
 }
 

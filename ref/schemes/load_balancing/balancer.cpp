@@ -73,7 +73,7 @@ void Balancer::post(Event event, std::uint64_t delay) {
 void Balancer::send(Event event, std::uint64_t bytes) {
   ++account_.messages;
   account_.bytes += bytes;
-  post(std::move(event), rules_.latency + mixed(rules_.seed + numbered_) % (rules_.latency + 1));
+  post(std::move(event), rules_.latency + random_number(rules_.seed + numbered_) % (rules_.latency + 1));
 }
 
 bool Balancer::run_phase(const Work& work, BalancingTrace* trace) {
@@ -161,7 +161,7 @@ void Balancer::end_run(int w) {
   account_.work += report.work;
   account_.wasted += report.wasted;
   note(BalancingTrace::What::ended, k, w, w);
-  std::map<int, std::vector<TileItem>> by_tile;
+  std::map<int, std::vector<KnownTriangle>> by_tile;
   for (const auto& [tile, item] : report.handed_on) by_tile[tile].push_back(item);
   for (const int n : lattice_.neighbours(k)) {
     const bool is_awaited = tiles_[at(n)].runs && lattice_.colour(n) > lattice_.colour(k);

@@ -71,14 +71,14 @@ struct BalancingTrace {
 class Balancer {
  public:
   /// Does the work of a tile. The items for other tiles are delivered by the balancer.
-  using Work = std::function<TileReport(int tile, std::vector<TileItem> items)>;
+  using Work = std::function<TileReport(int tile, std::vector<KnownTriangle> items)>;
 
   /// `owners`: the worker of each tile. `sizes`: triangles of each tile. The counts and the account are added to.
   Balancer(const TileLattice& lattice, std::vector<int> owners, std::vector<std::uint64_t> sizes, int workers,
            const BalancingRules& rules, Account& account, BalancingCounts& counts);
 
   /// A bad triangle of a tile, before the phase.
-  void add(int tile, const TileItem& item) { tiles_[at(tile)].items.push_back(item); }
+  void add(int tile, const KnownTriangle& item) { tiles_[at(tile)].items.push_back(item); }
   /// Runs one phase. Returns whether any tile had items. Adds what happened to the trace if there is one.
   bool run_phase(const Work& work, BalancingTrace* trace = nullptr);
   /// The worker that has the tile. A tile in flight belongs to its receiver.
@@ -89,10 +89,10 @@ class Balancer {
   struct Event {
     std::uint64_t time = 0, number = 0;
     Kind kind{};
-    int from = 0, to = 0;           ///< workers
-    int tile = -1, about = -1;      ///< for_tile: the receiver, and the neighbour that has run (-1 if not awaited)
-    std::vector<TileItem> items{};  ///< for_tile
-    std::vector<int> moved{};       ///< tiles
+    int from = 0, to = 0;                ///< workers
+    int tile = -1, about = -1;           ///< for_tile: the receiver, and the neighbour that has run (-1 if not awaited)
+    std::vector<KnownTriangle> items{};  ///< for_tile
+    std::vector<int> moved{};            ///< tiles
     std::uint64_t sent = 0, received = 0;  ///< wave_up
   };
   struct Later {
@@ -105,7 +105,7 @@ class Balancer {
     bool in_flight = false, runs = false;  ///< runs: in this phase, and has not begun
     int awaited = 0;
     std::uint64_t size = 0;
-    std::vector<TileItem> items;
+    std::vector<KnownTriangle> items;
     std::map<int, int> known;  ///< where neighbours were last heard of
     std::vector<Event> early;  ///< messages that arrived before it
   };

@@ -12,7 +12,8 @@ int Balancer::victim_of(int w) {
   ++me.asked;
   switch (rules_.victim) {
     case Victim::random: {
-      const std::uint64_t drawn = mixed(mixed(rules_.seed + static_cast<std::uint64_t>(w)) + counts_.requests);
+      const std::uint64_t drawn =
+          random_number(random_number(rules_.seed + static_cast<std::uint64_t>(w)) + counts_.requests);
       return (w + 1 + static_cast<int>(drawn % static_cast<std::uint64_t>(workers - 1))) % workers;
     }
     case Victim::neighbour: {

@@ -5,16 +5,11 @@
 #include <deque>
 #include <numeric>
 
+#include "../../../core/support/point_order.hpp"
+#include "../mesh/extent.hpp"
+
 namespace pardel::schemes {
 namespace {
-
-/// Where a triangle lies: its corners, beginning with the least.
-std::array<double, 6> place_of(const LinkedMesh& mesh, Index t) {
-  std::array<std::array<double, 2>, 3> p;
-  for (std::size_t i = 0; i < 3; ++i) p[i] = {mesh.points[mesh.faces[t].v[i]].x, mesh.points[mesh.faces[t].v[i]].y};
-  std::rotate(p.begin(), std::ranges::min_element(p), p.end());
-  return {p[0][0], p[0][1], p[1][0], p[1][1], p[2][0], p[2][1]};
-}
 
 /// Does the tile reach the whole cavity? Adds the work of a search that ends at the first triangle out of reach: what
 /// lies beyond it may be changed by another tile at the same time.
@@ -61,14 +56,10 @@ std::vector<Index> numbers(std::size_t size, std::size_t from, const Less& less)
 
 }  // namespace
 
-TileLattice::TileLattice(const LinkedMesh& mesh, int per_side)
-    : low_{INFINITY, INFINITY}, side_(0), per_side_(per_side) {
-  Point high{-INFINITY, -INFINITY};
-  for (const Point p : mesh.points) {
-    low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  side_ = std::max(high.x - low_.x, high.y - low_.y) / per_side;
+TileLattice::TileLattice(const LinkedMesh& mesh, int per_side) : per_side_(per_side) {
+  const Extent extent = extent_of(mesh.points);
+  low_ = extent.low;
+  side_ = extent.side() / per_side;
 }
 
 int TileLattice::tile_of(Point p) const {
@@ -76,10 +67,7 @@ int TileLattice::tile_of(Point p) const {
   return cell(p.x - low_.x) + per_side_ * cell(p.y - low_.y);
 }
 
-int TileLattice::tile_of(const LinkedMesh& mesh, Index t) const {
-  const Point a = mesh.corner(t, 0), b = mesh.corner(t, 1), c = mesh.corner(t, 2);
-  return tile_of(Point{(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3});
-}
+int TileLattice::tile_of(const LinkedMesh& mesh, Index t) const { return tile_of(centroid(mesh, t)); }
 
 Point TileLattice::centre(int tile) const {
   return {low_.x + (tile % per_side_ + 0.5) * side_, low_.y + (tile / per_side_ + 0.5) * side_};
@@ -106,10 +94,9 @@ bool TileLattice::reaches(int tile, const LinkedMesh& mesh, Index t) const {
   return true;
 }
 
-void sort_by_place(const LinkedMesh& mesh, std::vector<TileItem>& items) {
-  std::ranges::sort(items, [&](const TileItem& a, const TileItem& b) {
-    return place_of(mesh, a.triangle) < place_of(mesh, b.triangle);
-  });
+void sort_by_place(const LinkedMesh& mesh, std::vector<KnownTriangle>& items) {
+  std::ranges::sort(
+      items, [&](const KnownTriangle& a, const KnownTriangle& b) { return place_of(mesh, a.v) < place_of(mesh, b.v); });
 }
 
 int tile_for(const LinkedMesh& mesh, Index t, const TileLattice& lattice) {
@@ -123,23 +110,23 @@ bool is_due(const LinkedMesh& mesh, Index t, double least_radius) {
   return !(std::hypot(p.x - a.x, p.y - a.y) <= least_radius);
 }
 
-TileReport work_on_tile(LinkedMesh& mesh, const TileRules& rules, int tile, std::vector<TileItem> items) {
+TileReport work_on_tile(LinkedMesh& mesh, const TileRules& rules, int tile, std::vector<KnownTriangle> items) {
   TileReport report;
-  std::erase_if(items, [&](const TileItem& each) { return !is_alive(mesh, each); });
+  std::erase_if(items, [&](const KnownTriangle& each) { return !is_current(mesh, each); });
   sort_by_place(mesh, items);
-  std::deque<TileItem> queue(items.begin(), items.end());
+  std::deque<KnownTriangle> queue(items.begin(), items.end());
   const auto add_if_bad = [&](Index t) {
     if (!needs_work(mesh, t, rules.bounds)) return;
-    if (!is_due(mesh, t, rules.least_radius)) return report.later.push_back(item(mesh, t));
+    if (!is_due(mesh, t, rules.least_radius)) return report.later.push_back(known(mesh, t));
     const int other = tile_for(mesh, t, rules.lattice);
-    if (other == tile) return queue.push_back(item(mesh, t));
-    if (other < 0) return report.left.push_back(item(mesh, t));
-    report.handed_on.push_back({other, item(mesh, t)});
+    if (other == tile) return queue.push_back(known(mesh, t));
+    if (other < 0) return report.left.push_back(known(mesh, t));
+    report.handed_on.push_back({other, known(mesh, t)});
   };
   for (; !queue.empty() && mesh.points.size() <= rules.most_points; queue.pop_front()) {
     ++report.work;
-    const TileItem next = queue.front();
-    if (!is_alive(mesh, next)) continue;
+    const KnownTriangle next = queue.front();
+    if (!is_current(mesh, next)) continue;
     std::uint64_t work = 0;
     const auto insertion = within_reach(mesh, rules, tile, next.triangle, work);
     report.work += work;
@@ -152,35 +139,35 @@ TileReport work_on_tile(LinkedMesh& mesh, const TileRules& rules, int tile, std:
     report.work += made.size();
     ++report.insertions;
     std::ranges::for_each(made, add_if_bad);
-    if (is_alive(mesh, next)) queue.push_back(next);
+    if (is_current(mesh, next)) queue.push_back(next);
   }
   return report;
 }
 
-TileReport work_alone(LinkedMesh& mesh, const TileRules& rules, std::vector<TileItem> items) {
+TileReport work_alone(LinkedMesh& mesh, const TileRules& rules, std::vector<KnownTriangle> items) {
   TileReport report;
-  std::erase_if(items, [&](const TileItem& each) { return !is_alive(mesh, each); });
+  std::erase_if(items, [&](const KnownTriangle& each) { return !is_current(mesh, each); });
   sort_by_place(mesh, items);
-  std::deque<TileItem> queue(items.begin(), items.end());
+  std::deque<KnownTriangle> queue(items.begin(), items.end());
   for (; !queue.empty() && mesh.points.size() <= rules.most_points; queue.pop_front()) {
     ++report.work;
-    const TileItem next = queue.front();
-    if (!is_alive(mesh, next)) continue;
+    const KnownTriangle next = queue.front();
+    if (!is_current(mesh, next)) continue;
     const auto insertion = insertion_for(mesh, next.triangle, rules.bounds);
     if (!insertion) continue;
     const std::vector<Index> made = carry_out(mesh, *insertion);
     report.work += insertion->work() + made.size();
     for (const Index t : made)
       if (needs_work(mesh, t, rules.bounds))
-        is_due(mesh, t, rules.least_radius) ? queue.push_back(item(mesh, t)) : report.later.push_back(item(mesh, t));
-    if (is_alive(mesh, next)) queue.push_back(next);
+        is_due(mesh, t, rules.least_radius) ? queue.push_back(known(mesh, t)) : report.later.push_back(known(mesh, t));
+    if (is_current(mesh, next)) queue.push_back(next);
   }
   return report;
 }
 
 void number_by_place(LinkedMesh& mesh, std::size_t inputs) {
   const std::vector<Index> points = numbers(mesh.points.size(), inputs, [&](Index a, Index b) {
-    return std::pair(mesh.points[a].x, mesh.points[a].y) < std::pair(mesh.points[b].x, mesh.points[b].y);
+    return lexicographically_less(mesh.points[a], mesh.points[b]);
   });
   permute(mesh.points, points);
   permute(mesh.segment_of, points);

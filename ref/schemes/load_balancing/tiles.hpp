@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "../mesh/triangle.hpp"
 #include "../rules/ruppert.hpp"
 
 namespace pardel::schemes {
@@ -32,22 +33,12 @@ class TileLattice {
 
  private:
   Point low_;
-  double side_;
+  double side_ = 0;
   int per_side_;
 };
 
-/// A bad triangle. It is alive as long as its corners are at its place.
-struct TileItem {
-  Index triangle = no_index;
-  Corners v{};
-};
-[[nodiscard]] inline TileItem item(const LinkedMesh& mesh, Index t) { return {t, mesh.faces[t].v}; }
-[[nodiscard]] inline bool is_alive(const LinkedMesh& mesh, const TileItem& item) {
-  return mesh.faces[item.triangle].v == item.v;
-}
-
 /// Sorts items by the coordinates of their corners, an order in which their numbers play no part.
-void sort_by_place(const LinkedMesh& mesh, std::vector<TileItem>& items);
+void sort_by_place(const LinkedMesh& mesh, std::vector<KnownTriangle>& items);
 
 /// What a level refines, and where bad triangles go.
 struct TileRules {
@@ -62,11 +53,11 @@ struct TileReport {
   std::uint64_t work = 0, wasted = 0, insertions = 0;
   struct HandedOn {
     int tile;
-    TileItem item;
+    KnownTriangle item;
   };
-  std::vector<HandedOn> handed_on;  ///< new bad triangles of other tiles
-  std::vector<TileItem> left;       ///< their insertions change triangles out of reach
-  std::vector<TileItem> later;      ///< for a finer lattice
+  std::vector<HandedOn> handed_on;   ///< new bad triangles of other tiles
+  std::vector<KnownTriangle> left;   ///< their insertions change triangles out of reach
+  std::vector<KnownTriangle> later;  ///< for a finer lattice
 };
 
 /// The tile of a bad triangle; -1 if its tile does not reach it.
@@ -77,10 +68,11 @@ struct TileReport {
 /// Ruppert's algorithm for the items of a tile and those that follow from them, in the order of sort_by_place() and
 /// then first in, first out. An insertion that reads the circumdisk of a triangle which the tile does not reach, other
 /// than across the boundary of its cavity, is left. Precondition: the tile reaches all items.
-[[nodiscard]] TileReport work_on_tile(LinkedMesh& mesh, const TileRules& rules, int tile, std::vector<TileItem> items);
+[[nodiscard]] TileReport work_on_tile(LinkedMesh& mesh, const TileRules& rules, int tile,
+                                      std::vector<KnownTriangle> items);
 
 /// The same without tiles, by one worker. Nothing is left.
-[[nodiscard]] TileReport work_alone(LinkedMesh& mesh, const TileRules& rules, std::vector<TileItem> items);
+[[nodiscard]] TileReport work_alone(LinkedMesh& mesh, const TileRules& rules, std::vector<KnownTriangle> items);
 
 /// Numbers the points that are no inputs, and then the triangles, by their places: equal meshes get equal bits.
 void number_by_place(LinkedMesh& mesh, std::size_t inputs);

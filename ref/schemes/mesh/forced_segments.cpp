@@ -101,14 +101,15 @@ std::uint64_t force(LinkedMesh& mesh, TriangleAt& at, Index a, Index b, Index se
   return 2 * made.size() + flipped.size();
 }
 
-std::vector<Index> flip_to_delaunay(LinkedMesh& mesh, std::vector<Side> sides) {
+std::vector<Index> flip_where(LinkedMesh& mesh, std::vector<Side> sides,
+                              const std::function<bool(Side, Side)>& is_wrong) {
   std::vector<Index> changed;
   while (!sides.empty()) {
     const Side side = sides.back();
     sides.pop_back();
     if (mesh.faces[side.triangle].n[side.i] == no_index || is_constrained(mesh, side)) continue;
     const Side twin = across(mesh, side);
-    if (!circumdisk_contains(mesh, side.triangle, mesh.corner(twin.triangle, twin.i))) continue;
+    if (!is_wrong(side, twin)) continue;
     flip(mesh, side);
     for (const Index t : {side.triangle, twin.triangle}) {
       changed.push_back(t);
@@ -116,6 +117,12 @@ std::vector<Index> flip_to_delaunay(LinkedMesh& mesh, std::vector<Side> sides) {
     }
   }
   return changed;
+}
+
+std::vector<Index> flip_to_delaunay(LinkedMesh& mesh, std::vector<Side> sides) {
+  return flip_where(mesh, std::move(sides), [&](Side side, Side twin) {
+    return circumdisk_contains(mesh, side.triangle, mesh.corner(twin.triangle, twin.i));
+  });
 }
 
 }  // namespace pardel::schemes

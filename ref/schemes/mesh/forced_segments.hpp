@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "linked_mesh.hpp"
@@ -31,6 +32,11 @@ class TriangleAt {
 /// as often as it was. Preconditions: a and b are inside the mesh, and ab contains no other vertex and crosses no
 /// constrained side.
 std::uint64_t force(LinkedMesh& mesh, TriangleAt& at, Index a, Index b, Index segment);
+
+/// Flips unconstrained sides until is_wrong(side, the same side as the neighbour sees it) holds for none of these, and
+/// for none of those around a flip. Returns the triangles that were changed, two for each flip.
+std::vector<Index> flip_where(LinkedMesh& mesh, std::vector<Side> sides,
+                              const std::function<bool(Side, Side)>& is_wrong);
 
 /// Flips unconstrained sides until each of these, and each that a flip has changed, is locally Delaunay. Returns the
 /// triangles that were changed.

@@ -30,6 +30,12 @@ Side across(const LinkedMesh& mesh, Side side) {
   return {};
 }
 
+std::vector<Index> triangles_at(const LinkedMesh& mesh, Side side) {
+  std::vector<Index> found = {side.triangle};
+  if (const Index other = mesh.faces[side.triangle].n[side.i]; other != no_index) found.push_back(other);
+  return found;
+}
+
 bool circumdisk_contains(const LinkedMesh& mesh, Index t, Point p) {
   return in_circumdisk(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2), p);
 }
@@ -47,11 +53,16 @@ Cavity cavity_of(const LinkedMesh& mesh, Point p, const std::vector<Index>& star
       (circumdisk_contains(mesh, other, p) ? cavity.triangles : rejected).push_back(other);
     }
   }
-  for (const Index t : cavity.triangles)
-    for (int i = 0; i < 3; ++i)
-      if (is_constrained(mesh, {t, i}) || !contains(cavity.triangles, mesh.faces[t].n[i]))
-        cavity.boundary.push_back({t, i});
+  cavity.boundary = boundary_of(mesh, cavity.triangles);
   return cavity;
+}
+
+std::vector<Side> boundary_of(const LinkedMesh& mesh, const std::vector<Index>& triangles) {
+  std::vector<Side> boundary;
+  for (const Index t : triangles)
+    for (int i = 0; i < 3; ++i)
+      if (is_constrained(mesh, {t, i}) || !contains(triangles, mesh.faces[t].n[i])) boundary.push_back({t, i});
+  return boundary;
 }
 
 bool can_be_connected(const LinkedMesh& mesh, const Cavity& cavity, Point p, Side split) {

@@ -3,6 +3,7 @@
 // triangle, so a mesh may have a million of them.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -53,6 +54,9 @@ struct Side {
 /// The same side as the neighbour sees it. Precondition: there is a neighbour.
 [[nodiscard]] Side across(const LinkedMesh& mesh, Side side);
 
+/// The triangles at a side: two inside the domain, one on its border.
+[[nodiscard]] std::vector<Index> triangles_at(const LinkedMesh& mesh, Side side);
+
 [[nodiscard]] bool circumdisk_contains(const LinkedMesh& mesh, Index t, Point p);
 
 /// A set of triangles that are connected across sides, and the sides between them and the other triangles, each as the
@@ -60,7 +64,12 @@ struct Side {
 struct Cavity {
   std::vector<Index> triangles;
   std::vector<Side> boundary;
+  /// Is t one of the triangles? Linear time: a cavity has few.
+  [[nodiscard]] bool contains(Index t) const { return std::ranges::find(triangles, t) != triangles.end(); }
 };
+
+/// The sides between these triangles and others, and their constrained sides.
+[[nodiscard]] std::vector<Side> boundary_of(const LinkedMesh& mesh, const std::vector<Index>& triangles);
 
 /// The triangles that can be reached from `starts` across unconstrained sides, and whose open circumdisks contain p.
 /// The starts belong to the set in any case. If some start's circumdisk contains p and p sees it, or if p splits a side

@@ -4,25 +4,14 @@
 #include <cstdint>
 #include <numeric>
 
+#include "../../../core/support/point_order.hpp"
+#include "extent.hpp"
 #include "forced_segments.hpp"
 #include "predicates.hpp"
+#include "triangle.hpp"
 
 namespace pardel::schemes {
 namespace {
-
-struct Extent {
-  Point low, high;
-  [[nodiscard]] double width() const { return std::max(high.x - low.x, high.y - low.y); }
-};
-
-Extent extent_of(const std::vector<Point>& points) {
-  Extent e{points.front(), points.front()};
-  for (const Point p : points) {
-    e.low = {std::min(e.low.x, p.x), std::min(e.low.y, p.y)};
-    e.high = {std::max(e.high.x, p.x), std::max(e.high.y, p.y)};
-  }
-  return e;
-}
 
 /// The place of p on a curve that fills the extent (Morton's), so that points with close places are close.
 std::uint64_t place_on_curve(Point p, const Extent& extent) {
@@ -32,14 +21,14 @@ std::uint64_t place_on_curve(Point p, const Extent& extent) {
     for (unsigned k = 0; k < 32; ++k) result |= (bits >> k & 1U) << 2 * k;
     return result;
   };
-  const double width = extent.width() > 0 ? extent.width() : 1;
+  const double width = extent.side() > 0 ? extent.side() : 1;
   return spread((p.x - extent.low.x) / width) | spread((p.y - extent.low.y) / width) << 1U;
 }
 
 /// Two triangles that cover a square around all points. Its corners are the last four points.
 LinkedMesh box_around(const std::vector<Point>& points) {
   const Extent e = extent_of(points);
-  const double reach = std::max({e.width(), 0x1p-20 * std::abs(e.low.x), 0x1p-20 * std::abs(e.low.y)}) * 16;
+  const double reach = std::max({e.side(), 0x1p-20 * std::abs(e.low.x), 0x1p-20 * std::abs(e.low.y)}) * 16;
   const auto first = static_cast<Index>(points.size());
   LinkedMesh mesh{points, std::vector<Index>(points.size(), no_segment), {}, {}};
   const double left = e.low.x - reach, right = e.high.x + reach, low = e.low.y - reach, high = e.high.y + reach;
@@ -91,38 +80,20 @@ void spread(const LinkedMesh& mesh, Index start, Index value, std::vector<Index>
   }
 }
 
-Index triangle_around(const LinkedMesh& mesh, Point p) {
-  for (Index t = 0; t < mesh.faces.size(); ++t) {
-    const bool inside = orientation(mesh.corner(t, 0), mesh.corner(t, 1), p) >= 0 &&
-                        orientation(mesh.corner(t, 1), mesh.corner(t, 2), p) >= 0 &&
-                        orientation(mesh.corner(t, 2), mesh.corner(t, 0), p) >= 0;
-    if (inside) return t;
-  }
-  return no_index;
-}
-
 /// Removes the outside and the holes, and the corners of the box; gives triangles their regions.
 void carve(LinkedMesh& mesh, const Pslg& pslg) {
-  constexpr Index removed = 0;
   std::vector<Index> values(mesh.faces.size(), no_index);
   const auto corner = static_cast<Index>(pslg.points.size());
   for (Index t = 0; t < mesh.faces.size(); ++t)
-    if (std::ranges::any_of(mesh.faces[t].v, [&](Index v) { return v >= corner; })) spread(mesh, t, removed, values);
+    if (std::ranges::any_of(mesh.faces[t].v, [&](Index v) { return v >= corner; }))
+      spread(mesh, t, removed_face, values);
   for (const Point hole : pslg.holes)
-    if (const Index t = triangle_around(mesh, hole); t != no_index) spread(mesh, t, removed, values);
+    if (const Index t = triangle_around(mesh, hole); t != no_index) spread(mesh, t, removed_face, values);
   for (Index r = 0; r < pslg.regions.size(); ++r)
-    if (const Index t = triangle_around(mesh, pslg.regions[r].seed); t != no_index && values[t] != removed)
+    if (const Index t = triangle_around(mesh, pslg.regions[r].seed); t != no_index && values[t] != removed_face)
       spread(mesh, t, r + 1, values);
-  for (Index t = 0; t < mesh.faces.size(); ++t) {
-    Face& face = mesh.faces[t];
-    if (values[t] != no_index && values[t] != removed) face.region = values[t] - 1;
-    for (Index& n : face.n)
-      if (n != no_index && values[n] == removed) n = no_index;
-  }
-  for (Index t = 0; t < mesh.faces.size(); ++t)
-    if (values[t] == removed) mesh.faces[t] = {};
   mesh.points.resize(pslg.points.size());
-  compact(mesh);
+  keep_faces(mesh, values);
 }
 
 }  // namespace
@@ -130,7 +101,7 @@ void carve(LinkedMesh& mesh, const Pslg& pslg) {
 std::vector<std::array<Index, 2>> hull_of(const std::vector<Point>& points) {
   std::vector<Index> order(points.size());
   std::iota(order.begin(), order.end(), Index{0});
-  std::ranges::sort(order, {}, [&](Index v) { return std::pair(points[v].x, points[v].y); });
+  std::ranges::sort(order, [&](Index v, Index w) { return lexicographically_less(points[v], points[w]); });
   std::vector<std::array<Index, 2>> edges;
   for (int half = 0; half < 2; ++half) {
     std::vector<Index> chain;
@@ -143,6 +114,24 @@ std::vector<std::array<Index, 2>> hull_of(const std::vector<Point>& points) {
     std::ranges::reverse(order);
   }
   return edges;
+}
+
+Index triangle_around(const LinkedMesh& mesh, Point p) {
+  for (Index t = 0; t < mesh.faces.size(); ++t)
+    if (mesh.in_use(t) && covers(mesh, t, p)) return t;
+  return no_index;
+}
+
+void keep_faces(LinkedMesh& mesh, const std::vector<Index>& values) {
+  for (Index t = 0; t < mesh.faces.size(); ++t) {
+    Face& face = mesh.faces[t];
+    if (values[t] != no_index && values[t] != removed_face) face.region = values[t] - 1;
+    for (Index& n : face.n)
+      if (n != no_index && values[n] == removed_face) n = no_index;
+  }
+  for (Index t = 0; t < mesh.faces.size(); ++t)
+    if (values[t] == removed_face) mesh.faces[t] = {};
+  compact(mesh);
 }
 
 Index locate(const LinkedMesh& mesh, Point p, Index from, std::uint64_t& work) {

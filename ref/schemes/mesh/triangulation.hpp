@@ -27,6 +27,15 @@ struct Triangulated {
 /// Precondition: there are three points. O(n log n) time.
 [[nodiscard]] std::vector<std::array<Index, 2>> hull_of(const std::vector<Point>& points);
 
+/// A triangle in use that contains p in its interior or on its border; no_index if there is none. Linear time.
+[[nodiscard]] Index triangle_around(const LinkedMesh& mesh, Point p);
+
+/// Stands for "outside" among the values of keep_faces().
+inline constexpr Index removed_face = 0;
+/// Removes the triangles with the value removed_face, and gives each of the others the region of its value minus one,
+/// if the value is not no_index. Puts the triangles that stay at the front. `values`: one per face.
+void keep_faces(LinkedMesh& mesh, const std::vector<Index>& values);
+
 /// The triangle in use that contains p in its interior or on its border, found by a walk from the triangle `from`;
 /// no_index if the walk leaves the mesh. Adds the length of the walk to `work`. Precondition: the mesh is Delaunay and
 /// covers its convex hull.

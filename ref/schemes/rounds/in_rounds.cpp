@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "../../../core/support/without_repetitions.hpp"
 #include "../workers/random.hpp"
 #include "ledger.hpp"
 
@@ -49,8 +50,7 @@ class Rounds {
  private:
   /// Every waiting triangle that is in use asks once. A slot may wait twice, if its triangle was replaced.
   [[nodiscard]] std::vector<Candidate> propose(std::uint64_t round) {
-    std::ranges::sort(waiting_);
-    waiting_.erase(std::unique(waiting_.begin(), waiting_.end()), waiting_.end());
+    sort_without_repetitions(waiting_);
     std::vector<Candidate> candidates;
     for (const Index t : waiting_) {
       if (!mesh_.in_use(t)) continue;
@@ -59,7 +59,7 @@ class Rounds {
       if (!insertion) continue;
       const std::uint64_t compared = insertion->cavity.triangles.size();
       for (Ledger& ledger : ledgers_) ledger.find(mesh_, *insertion, read + insertion->work() + compared);
-      const std::uint64_t priority = mixed(mixed(problem_.seed + round) + candidates.size());
+      const std::uint64_t priority = random_number(random_number(problem_.seed + round) + candidates.size());
       candidates.push_back({std::move(*insertion), priority});
     }
     return candidates;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "../mesh/triangle.hpp"
+
 namespace pardel::schemes {
 namespace {
 
@@ -11,7 +13,6 @@ constexpr double stricter = 1 - 0x1p-40;
 
 double squared(double x) { return x * x; }
 double squared_distance(Point p, Point q) { return squared(p.x - q.x) + squared(p.y - q.y); }
-double twice_area(Point a, Point b, Point c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
 
 /// The square of the longest edge of an equilateral triangle of area 1.
 const double squared_edge_of_unit_area = 4 / std::numbers::sqrt3;
@@ -54,7 +55,7 @@ bool Bounds::is_large(const LinkedMesh& mesh, Index t) const {
   const double max_area = std::min(goal_.max_area, area_cap(mesh.faces[t].region));
   if (twice_area(a, b, c) > 2 * max_area * stricter) return true;
   double edge = goal_.max_edge;
-  if (goal_.size) edge = std::min(edge, goal_.size({(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3}));
+  if (goal_.size) edge = std::min(edge, goal_.size(centroid(a, b, c)));
   if (!std::isfinite(edge)) return false;
   const double longest = std::max({squared_distance(a, b), squared_distance(b, c), squared_distance(c, a)});
   return longest > squared(edge) * stricter;

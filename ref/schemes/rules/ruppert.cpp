@@ -1,7 +1,6 @@
 #include "ruppert.hpp"
 
 #include <algorithm>
-#include <deque>
 
 #include "../mesh/predicates.hpp"
 
@@ -45,10 +44,8 @@ Point circumcentre(const LinkedMesh& mesh, Index t) {
 }
 
 std::optional<Insertion> split_of(const LinkedMesh& mesh, Side side, const SmallAngles& angles) {
-  std::vector<Index> starts = {side.triangle};
-  if (const Index other = mesh.faces[side.triangle].n[side.i]; other != no_index) starts.push_back(other);
   Insertion found{side.triangle, angles.split_point(mesh, side), side, {}};
-  found.cavity = cavity_of(mesh, found.point, starts);
+  found.cavity = cavity_of(mesh, found.point, triangles_at(mesh, side));
   const auto [a, b] = ends(mesh, side);
   if (found.point == mesh.points[a] || found.point == mesh.points[b]) return std::nullopt;
   if (!can_be_connected(mesh, found.cavity, found.point, side)) return std::nullopt;
@@ -86,24 +83,34 @@ std::vector<Index> carry_out(LinkedMesh& mesh, const Insertion& insertion) {
   return replace(mesh, insertion.cavity, vertex, split);
 }
 
-std::size_t refine_sequentially(LinkedMesh& mesh, const Bounds& bounds, std::size_t most_points, std::uint64_t* work) {
-  std::deque<Index> waiting;
-  for (Index t = 0; t < mesh.faces.size(); ++t) waiting.push_back(t);
-  std::size_t insertions = 0;
+std::uint64_t refine_where(LinkedMesh& mesh, const Bounds& bounds, std::deque<Index> waiting,
+                           const std::function<bool(Index)>& is_due, std::size_t most_points) {
+  std::uint64_t work = 0;
   while (!waiting.empty() && mesh.points.size() < most_points) {
     const Index t = waiting.front();
     waiting.pop_front();
-    if (!mesh.in_use(t)) continue;
+    if (!mesh.in_use(t) || !is_due(t)) continue;
     const auto insertion = insertion_for(mesh, t, bounds);
     if (!insertion) continue;
-    ++insertions;
-    if (work != nullptr) *work += insertion->work();
+    work += insertion->work();
     const std::vector<Index> made = carry_out(mesh, *insertion);
     waiting.insert(waiting.end(), made.begin(), made.end());
     // A triangle whose circumcentre was rejected is still there.
-    if (std::ranges::find(insertion->cavity.triangles, t) == insertion->cavity.triangles.end()) waiting.push_back(t);
+    if (!insertion->cavity.contains(t)) waiting.push_back(t);
   }
-  return insertions;
+  return work;
+}
+
+std::deque<Index> all_triangles(const LinkedMesh& mesh) {
+  std::deque<Index> all;
+  for (Index t = 0; t < mesh.faces.size(); ++t)
+    if (mesh.in_use(t)) all.push_back(t);
+  return all;
+}
+
+std::uint64_t refine_sequentially(LinkedMesh& mesh, const Bounds& bounds, std::size_t most_points) {
+  const auto always = [](Index) { return true; };
+  return refine_where(mesh, bounds, all_triangles(mesh), always, most_points);
 }
 
 }  // namespace pardel::schemes

@@ -4,6 +4,8 @@
 // Source: J. Ruppert, "A Delaunay refinement algorithm for quality 2-dimensional mesh generation", 1995.
 #pragma once
 
+#include <deque>
+#include <functional>
 #include <optional>
 
 #include "bounds.hpp"
@@ -52,10 +54,16 @@ struct Insertion {
 /// has changed.
 std::vector<Index> carry_out(LinkedMesh& mesh, const Insertion& insertion);
 
-/// Ruppert's algorithm on one worker, the standard with which schemes are compared: while a triangle needs work, work.
-/// Triangles are taken in the order in which they were made. Returns the number of insertions. Stops when the mesh has
-/// `most_points`. Adds what was read to `work`, if it is not null.
-std::size_t refine_sequentially(LinkedMesh& mesh, const Bounds& bounds, std::size_t most_points,
-                                std::uint64_t* work = nullptr);
+/// Ruppert's algorithm by one worker on the triangles that wait and on those that it makes, as long as `is_due` holds
+/// for them. They are taken in the order in which they were made. Stops when the mesh has `most_points`. Returns its
+/// work.
+std::uint64_t refine_where(LinkedMesh& mesh, const Bounds& bounds, std::deque<Index> waiting,
+                           const std::function<bool(Index)>& is_due, std::size_t most_points);
+
+/// The triangles in use.
+[[nodiscard]] std::deque<Index> all_triangles(const LinkedMesh& mesh);
+
+/// The same on all triangles: the standard with which schemes are compared.
+std::uint64_t refine_sequentially(LinkedMesh& mesh, const Bounds& bounds, std::size_t most_points);
 
 }  // namespace pardel::schemes

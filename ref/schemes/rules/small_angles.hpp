@@ -20,6 +20,9 @@ class SmallAngles {
   /// The same for the part from a to b of segment s.
   [[nodiscard]] Point split_point(const LinkedMesh& mesh, Index s, Index a, Index b) const;
 
+  /// Has the segment an end at which it meets another one at less than 60 degrees?
+  [[nodiscard]] bool is_at(Index segment) const { return sharp_[segment][0] || sharp_[segment][1]; }
+
   /// Does a small angle of the domain justify the angle of t at corner k? It does if the angle is between two segments
   /// that meet there at less than 60 degrees, or if the opposite side joins two points of one shell around such a
   /// corner; and if it is not smaller than such a corner explains.

@@ -35,12 +35,6 @@ void Expansion::visit(const LinkedMesh& mesh, Index next) {
   }
 }
 
-Cavity Expansion::cavity(const LinkedMesh& mesh) const {
-  Cavity cavity{triangles_, {}};
-  for (const Index t : triangles_)
-    for (int i = 0; i < 3; ++i)
-      if (is_constrained(mesh, {t, i}) || !holds(triangles_, mesh.faces[t].n[i])) cavity.boundary.push_back({t, i});
-  return cavity;
-}
+Cavity Expansion::cavity(const LinkedMesh& mesh) const { return {triangles_, boundary_of(mesh, triangles_)}; }
 
 }  // namespace pardel::schemes

@@ -158,9 +158,7 @@ void Speculation::read_first(int w) {
   attempt.has_read = true;
   if (!mesh_.in_use(t) || !needs_work(mesh_, t, bounds_)) return give_up(w);
   if (const auto side = encroached_side(mesh_, t)) {
-    std::vector<Index> starts = {t};
-    if (const Index other = mesh_.faces[t].n[side->i]; other != no_index) starts.push_back(other);
-    aim(w, bounds_.small_angles().split_point(mesh_, *side), std::move(starts), *side);
+    aim(w, bounds_.small_angles().split_point(mesh_, *side), triangles_at(mesh_, *side), *side);
   } else {
     const Point p = circumcentre(mesh_, t);
     if (!circumdisk_contains(mesh_, t, p)) return give_up(w);
@@ -184,8 +182,7 @@ void Speculation::complete(int w) {
     if (const auto side = blocking_side(mesh_, attempt.cavity, p)) {
       ++counts_.late;
       account_.wasted += std::exchange(attempt.steps, 0);
-      std::vector<Index> starts = {side->triangle};
-      if (const Index other = mesh_.faces[side->triangle].n[side->i]; other != no_index) starts.push_back(other);
+      std::vector<Index> starts = triangles_at(mesh_, *side);
       release(w, starts, false);
       aim(w, bounds_.small_angles().split_point(mesh_, *side), std::move(starts), *side);
       return expand(w);
@@ -202,8 +199,7 @@ void Speculation::write(int w) {
   SpeculativeWorker& me = workers_[place(w)];
   if (--me.attempt->writes > 0) return;
   const Index t = me.attempt->task.triangle;
-  const std::vector<Index>& old = me.attempt->cavity.triangles;
-  const bool remains = std::ranges::find(old, t) == old.end();
+  const bool remains = !me.attempt->cavity.contains(t);
   const std::vector<Index> made =
       carry_out(mesh_, {t, me.attempt->expansion.point(), me.attempt->split, me.attempt->cavity});
   release(w, {}, true);

@@ -3,26 +3,22 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../mesh/extent.hpp"
+#include "../mesh/triangle.hpp"
+
 namespace pardel::schemes {
 namespace {
 
 /// So many samples are taken of the domain, and of each worker's part.
 constexpr double samples_at_least = 256, samples_per_worker = 64;
 
-Point centroid(const LinkedMesh& mesh, Index t) {
-  const Point a = mesh.corner(t, 0), b = mesh.corner(t, 1), c = mesh.corner(t, 2);
-  return {(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3};
-}
-
-double area(const std::array<Point, 3>& p) {
-  return ((p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[1].y - p[0].y) * (p[2].x - p[0].x)) / 2;
-}
+double area(const std::array<Point, 3>& p) { return twice_area(p[0], p[1], p[2]) / 2; }
 
 /// Calls visit(centroid, part) for parts of a triangle that are at most `largest` large.
 template <class Visit>
 void visit_parts(const std::array<Point, 3>& p, double largest, const Visit& visit) {
   if (!(area(p) > largest)) {
-    visit(Point{(p[0].x + p[1].x + p[2].x) / 3, (p[0].y + p[1].y + p[2].y) / 3}, p);
+    visit(centroid(p[0], p[1], p[2]), p);
     return;
   }
   const auto middle = [](Point a, Point b) { return Point{(a.x + b.x) / 2, (a.y + b.y) / 2}; };
@@ -51,15 +47,14 @@ Territory::Territory(const LinkedMesh& mesh, const Bounds& bounds, int workers) 
 
 int Territory::divide(std::vector<Sample>& samples, std::size_t from, std::size_t to, int first, int count) {
   if (count == 1 || to - from < 2) return -first - 1;
-  Point low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
+  Extent extent;
   double weight = 0;
   for (std::size_t k = from; k < to; ++k) {
     const auto& [p, w] = samples[k];
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    extent.include(p);
     weight += w;
   }
-  const bool in_x = high.x - low.x >= high.y - low.y;
+  const bool in_x = extent.width() >= extent.height();
   const auto key = [in_x](const Sample& s) { return in_x ? std::pair(s.p.x, s.p.y) : std::pair(s.p.y, s.p.x); };
   const auto begin = samples.begin();
   std::sort(begin + static_cast<std::ptrdiff_t>(from), begin + static_cast<std::ptrdiff_t>(to),
