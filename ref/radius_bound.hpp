@@ -1,5 +1,5 @@
 // A bound on all circumradii of a refinement, computed from the input and the goal alone, before a mesh exists.
-// Statement and proof: THEORY.md, Lattice (f).
+// Statement and proof: THEORY.md, T2-once and Lattice (f).
 #pragma once
 
 #include "../core/goal.hpp"
@@ -24,8 +24,8 @@ enum class RadiusTheorem : std::uint8_t { t3, t3_sharp };
 [[nodiscard]] Number squared_growth_bound(const Pslg& pslg, const Number& squared_start);
 
 /// The square of r̄ = r0 times the factor above. Under the hypotheses of Lattice (f), no circumradius ever exceeds r̄:
-/// segments meet at 60 degrees or more, all border edges are segments, segments are split at midpoints, circumcentres
-/// that encroach are not inserted, and all triangles meet the bounds of `start` when the refinement begins.
+/// all border edges are segments, segments are split at midpoints, circumcentres that encroach are not inserted, and all
+/// triangles meet the bounds of `start` when the refinement begins.
 /// Preconditions and errors: as for the two functions above.
 [[nodiscard]] Result<Number> squared_radius_bound(const Pslg& pslg, const Goal& start, RadiusTheorem theorem);
 

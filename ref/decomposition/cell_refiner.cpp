@@ -60,6 +60,26 @@ std::map<Cell, Candidates> candidates(const Work<Cells>& work, const Phase& phas
   return found;
 }
 
+bool meets_circumdisk(const PlainMesh& mesh, const Corners& t, const Edge& e) {
+  const Kernel::Segment_2 segment(mesh.points[e[0]], mesh.points[e[1]]);
+  return CGAL::squared_distance(circumcentre(mesh, t), segment) < squared_circumradius(mesh, t);
+}
+
+/// Must the bad triangle t wait until another cell has split a subsegment? Ruppert's algorithm splits all subsegments
+/// before it looks at a triangle: then no vertex, seen or not, lies in the circumdisk (THEORY.md, Lemma 7). Here it is
+/// enough that none of the subsegments that wait meets the circumdisk. Those that other cells found in this phase are
+/// not asked, because the answer would depend on the order of the cells.
+template <class Cells>
+bool must_wait(const Work<Cells>& work, const Phase& phase, const Cell& cell, const Corners& t) {
+  const PlainMesh& mesh = work.state.mesh;
+  return std::ranges::any_of(work.state.waiting, [&](const auto& split) {
+    const Edge& e = split.first;
+    const bool is_known = phase.waiting_before.contains(e) ||
+                          phase.handed_on.contains({cell, cell_of(work.cells, split.second), split.second});
+    return is_known && meets_circumdisk(mesh, t, e);
+  });
+}
+
 /// One step of Ruppert's loop in a cell: the point that the cell inserts, if it has one. It is a midpoint, or else a
 /// circumcentre that encroaches upon no subsegment.
 template <class Cells>
@@ -67,10 +87,10 @@ std::optional<ExactPoint> next_point(const Work<Cells>& work, Phase& phase, cons
   const PlainMesh& mesh = work.state.mesh;
   if (!found.midpoints.empty()) return *found.midpoints.begin();
   for (const auto& [centre, t] : found.centres) {
-    // If a subsegment hides the circumcentre from its triangle, some subsegment is encroached and already waits for its
-    // split (THEORY.md, Lemma 7).
-    if (!circumdisk_contains(mesh, t, centre) || !sees(mesh, centre, t)) continue;
+    if (!circumdisk_contains(mesh, t, centre) || must_wait(work, phase, cell, t)) continue;
     const std::vector<Edge> upon = encroached_by(mesh, centre);
+    // A subsegment that hides the centre from t is encroached by the centre, or waits (THEORY.md, Lemma 7).
+    if (upon.empty() && !sees(mesh, centre, t)) continue;
     if (upon.empty()) return centre;
     const auto waits = [&](const Edge& e) { return work.state.waiting.contains(e); };
     if (!std::ranges::all_of(upon, waits)) record_touched(phase.touched[cell], mesh, centre);
@@ -114,6 +134,7 @@ template <class Cells>
 Phase run_phase(const Work<Cells>& work, int colour) {
   Phase phase;
   phase.colour = colour;
+  for (const auto& [e, middle] : work.state.waiting) phase.waiting_before.insert(e);
   std::set<Cell> unfinished;
   for (const auto& [cell, found] : candidates(work, phase)) unfinished.insert(cell);
   while (!unfinished.empty() && !work.state.failure) {

@@ -9,6 +9,8 @@
 // - Of the points that it may insert, a cell takes a midpoint first, and of several the one whose coordinates come
 //   first in lexicographic order. So its choice does not depend on the numbering of vertices and triangles, which
 //   depends on the order of the cells.
+// - A bad triangle waits while a subsegment that meets its circumdisk waits for its split in another cell. So no vertex
+//   lies in the circumdisk of a triangle that is split, and refinement ends as Ruppert's does (THEORY.md, Lattice).
 // - Sweeps are repeated until a sweep inserts nothing. The number of sweeps is measured.
 // - Splitting a subsegment at a corner of less than 90 degrees may raise circumradii. So they are measured after each
 //   phase, and cells that have become too small for them are replaced.
@@ -56,6 +58,7 @@ struct HandedOn {
 
 struct Phase {
   int colour = 0;
+  std::set<Edge> waiting_before;      ///< the subsegments that wait for their split when the phase begins
   std::vector<Insertion> insertions;  ///< in the order of the steps
   std::set<HandedOn> handed_on;
   /// For each cell: what it used, over all points that it inserted and all circumcentres that it rejected because they

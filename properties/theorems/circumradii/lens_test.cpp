@@ -6,27 +6,11 @@
 #include "../framework/scene_carving.hpp"
 #include "../framework/shares.hpp"
 #include "left_triangle.hpp"
+#include "lens.hpp"
 
 namespace pardel::properties {
 namespace {
 using ref::Number;
-
-/// The lens of an angle bound α of 20.6 to 32 degrees, with a rational tangent of α.
-struct Lens {
-  Number squared_cosine, squared_sine;  ///< of 2 α
-
-  explicit Lens(const Number& tangent) {
-    const Number squares = 1 + tangent * tangent, cosine = (1 - tangent * tangent) / squares;
-    squared_cosine = cosine * cosine;
-    squared_sine = 1 - squared_cosine;
-  }
-  /// Does p see ab at an angle of 180° - 2 α or more?
-  [[nodiscard]] bool contains(const ref::ExactPoint& p, const ref::ExactPoint& a, const ref::ExactPoint& b) const {
-    const auto u = a - p, v = b - p;
-    const Number dot = u * v;
-    return dot < 0 && dot * dot >= squared_cosine * u.squared_length() * v.squared_length();
-  }
-};
 
 Lens some_lens() { return Lens(Number(*rc::gen::inRange(24, 41).as("64 times the tangent of the bound")) / 64); }
 
