@@ -218,5 +218,17 @@ PARDEL_FACT(Kadow, path_edges_may_disappear,
   EXPECT_EQ(gone, 1);
 }
 
+/// Their missing edges were split for ever.
+TEST(Kadow, points_on_one_line_have_no_triangle) {
+  Pslg pslg;
+  pslg.points = {{0, 4}, {3, 4}, {2, 4}};
+  const Goal goal;
+  for (const int workers : {1, 2, 64}) {
+    const auto outcome = schemes::kadow({pslg, goal, workers});
+    ASSERT_FALSE(outcome);
+    EXPECT_EQ(outcome.error().kind, ErrorKind::invalid_input);
+  }
+}
+
 }  // namespace
 }  // namespace pardel::properties

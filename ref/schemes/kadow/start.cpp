@@ -142,6 +142,7 @@ Result<PartedStart> parted_start(const Problem& problem, const GivenPointsOption
   for (;;) {
     const Division division = division_of(outline.points, problem.workers, options, account);
     Triangles triangles = triangles_of(outline.points, division, account);
+    if (triangles.corners.empty()) return empty;  // all points are on one line
     std::vector<std::size_t> missing;
     LinkedMesh mesh = linked(outline.points, triangles.corners, pieces, missing);
     count_splits(pieces, missing, division, mesh.points.size(), account);
