@@ -161,7 +161,9 @@ void refine_parts(Parts& parts, const decoupled::Plan& plan, const Problem& prob
   Phase phase(problem.workers);
   std::vector<int> order;
   for (int part = 0; part < plan.parts; ++part) {
-    phase.send(0, parts.worker(part), bytes_of_triangle * of[static_cast<std::size_t>(part)].size());
+    const std::vector<Index>& triangles = of[static_cast<std::size_t>(part)];
+    if (triangles.empty()) continue;
+    phase.send(0, parts.worker(part), bytes_of_triangle * triangles.size());
     order.push_back(part);
   }
   std::ranges::sort(order, {}, [&](int part) {
@@ -200,7 +202,7 @@ Result<Outcome> decoupling(const Problem& problem, const DecouplingOptions& opti
   const decoupled::Plan plan = options.separators == Separators::lattice
                                    ? decoupled::lattice_plan(mesh, problem.workers)
                                    : decoupled::bisection_plan(mesh, territory);
-  const decoupled::Laid laid = decoupled::lay(mesh, start->bounds, plan, options.piece);
+  const decoupled::Laid laid = decoupled::lay(mesh, start->bounds, plan, options.piece, problem.most_points);
   account.sequential += laid.work;
   account.critical += laid.work;
   Parts parts(*start, problem, plan, laid, options.encroaching);

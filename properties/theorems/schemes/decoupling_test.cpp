@@ -271,5 +271,47 @@ PARDEL_FACT(Decoupling, forces_good_angles_and_few_triangles_more,
   }
 }
 
+/// A rectangle whose upright sides have a vertex just above their middles, where the line between two parts runs.
+TEST(Decoupling, a_line_that_passes_close_to_a_vertex_has_a_gap) {
+  Pslg pslg;
+  const double middle = 0.5 + 0x1p-45;
+  pslg.points = {{0, 0}, {2, 0}, {2, middle}, {2, 1}, {0, 1}, {0, middle}};
+  for (Index v = 0; v < 6; ++v) pslg.segments.push_back({v, (v + 1) % 6, 0});
+  std::size_t gaps = 0;
+  DecouplingOptions options;
+  options.on_laid = [&](const schemes::DecouplingRecord& r) { gaps = r.gaps; };
+  const Goal goal;
+  const auto outcome = schemes::decoupling({pslg, goal, 2, 1, 10'000}, options);
+  ASSERT_TRUE(outcome) << outcome.error().message;
+  EXPECT_GT(gaps, 0U);
+  EXPECT_LT(outcome->account.insertions, 20U);
+  EXPECT_TRUE(check(pslg, schemes::to_mesh(outcome->mesh, pslg), goal).valid);
+}
+
+/// Four points around the middle of a huge square: the triangles there say nothing about the rest of the line, which
+/// had a billion pieces.
+TEST(Decoupling, a_line_is_not_laid_where_its_middle_is_much_finer_than_the_rest) {
+  constexpr double huge = 0x1p30;
+  Pslg pslg;
+  pslg.points = {{-huge, -huge}, {huge, -huge}, {huge, huge}, {-huge, huge}, {-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+  for (Index v = 0; v < 4; ++v) pslg.segments.push_back({v, (v + 1) % 4, 0});
+  const Goal goal;
+  for (const Separators separators : {Separators::lattice, Separators::bisection}) {
+    const auto outcome = schemes::decoupling({pslg, goal, 2, 1, 10'000}, {.separators = separators});
+    ASSERT_TRUE(outcome) << outcome.error().message;
+    EXPECT_TRUE(check(pslg, schemes::to_mesh(outcome->mesh, pslg), goal).valid);
+  }
+}
+
+TEST(Decoupling, a_part_without_triangles_gets_no_message) {
+  Pslg pslg;
+  pslg.points = {{0, 0}, {4, 0}, {0, 3}};
+  const Goal goal;
+  const auto outcome = schemes::decoupling({pslg, goal, 64});
+  ASSERT_TRUE(outcome) << outcome.error().message;
+  EXPECT_LT(outcome->account.messages, 63U);
+  EXPECT_GE(outcome->account.bytes, schemes::bytes_of_triangle * outcome->account.messages);
+}
+
 }  // namespace
 }  // namespace pardel::properties

@@ -30,9 +30,21 @@ double crossing(const Line& line, Point p, Point q) {
 }
 double distance(Point p, Point q) { return std::hypot(p.x - q.x, p.y - q.y); }
 
+/// A vertex of a separator is not nearer to others than this share of an edge there. Refinement would have to grade its
+/// triangles down to that distance: for ever, if it is as small as rounding.
+constexpr double nearest = 0x1p-10;
+/// Without a wanted size, the mesh may be much finer in the middle of a line than elsewhere. Then there is a gap: the
+/// line has at most as many pieces between two stops as there are triangles, and these.
+constexpr std::size_t pieces_of_any_line = 100;
+
 class Layer {
  public:
-  Layer(LinkedMesh& mesh, const Bounds& bounds, double length) : mesh_(mesh), bounds_(bounds), length_(length) {}
+  Layer(LinkedMesh& mesh, const Bounds& bounds, double length, std::size_t most_points)
+      : mesh_(mesh),
+        bounds_(bounds),
+        length_(length),
+        most_points_(most_points),
+        most_unsized_(mesh.faces.size() + pieces_of_any_line) {}
 
   /// Inserts vertices where the line crosses segments. All lines do so before any is laid: shorter sides are encroached
   /// upon by fewer points.
@@ -124,11 +136,16 @@ class Layer {
         carried_out(*split);
         continue;
       }
+      const double apart = std::max(least, nearest * longest_side(t));
       for (const Index other : found.cavity.triangles)
         for (const Index v : mesh_.faces[other].v)
-          if (distance(mesh_.points[v], p) < least) return no_index;
+          if (distance(mesh_.points[v], p) < apart) return no_index;
       return can_be_connected(mesh_, found.cavity, p) ? carried_out(found) : no_index;
     }
+  }
+  [[nodiscard]] double longest_side(Index t) const {
+    const Point a = mesh_.corner(t, 0), b = mesh_.corner(t, 1), c = mesh_.corner(t, 2);
+    return std::max({distance(a, b), distance(b, c), distance(c, a)});
   }
   Index carried_out(const Insertion& insertion) {
     last_ = carry_out(mesh_, insertion).front();
@@ -176,14 +193,15 @@ class Layer {
     while (ends(mesh_, {t, i}) != std::array{a, b}) ++i;
     const Side side{t, i};
     const bool is_good = std::abs(along(line, q) - along(line, p)) <= 0.5 * distance(p, q);
-    if (!is_good || bounds_.small_angles().is_at(mesh_.faces[t].segment[i]) || x == p || x == q) return no_index;
+    const bool is_apart = std::min(distance(p, x), distance(q, x)) >= nearest * distance(p, q);
+    if (!is_good || !is_apart || bounds_.small_angles().is_at(mesh_.faces[t].segment[i])) return no_index;
     Insertion found{t, x, side, {}};
     found.cavity = cavity_of(mesh_, x, triangles_at(mesh_, side));
     work_ += found.work();
     return can_be_connected(mesh_, found.cavity, x, side) ? carried_out(found) : no_index;
   }
 
-  /// The length of a piece at p. Without a wanted size it is that of the mesh there.
+  /// The length of a piece at p. Without a wanted size it is that of the mesh at t, for a whole line between two stops.
   [[nodiscard]] double piece_at(Point p, Index t) const {
     double area = bounds_.wanted_area(p, mesh_.faces[t].region);
     if (!std::isfinite(area)) area = twice_area(mesh_, t) / 2;
@@ -195,10 +213,16 @@ class Layer {
     const double length = to.first - from.first;
     const Index t = triangle_at(on(line, from.first + length / 2));
     if (t == no_index || !(length > 0)) return;
+    const Point middle = on(line, from.first + length / 2);
+    const bool is_sized = std::isfinite(bounds_.wanted_area(middle, mesh_.faces[t].region));
+    const std::size_t most = is_sized ? most_points_ : most_unsized_;
     std::vector<double> ends = {0};
     while (ends.back() < length) {
       const double step = piece_at(on(line, from.first + ends.back()), t);
       ends.push_back(ends.back() + piece_at(on(line, std::min(from.first + ends.back() + step / 2, to.first)), t));
+      if (ends.size() <= most) continue;
+      ++gaps_;
+      return;
     }
     // The last piece ends too late: all become a little shorter.
     const double share = length / ends.back();
@@ -217,7 +241,7 @@ class Layer {
   void lay_between(const Line& line, const std::vector<double>& ends, std::size_t low, std::size_t high,
                    std::vector<Index>& vertices) {
     const std::size_t k = (low + high) / 2;
-    if (k == low) return;
+    if (k == low || mesh_.points.size() > most_points_) return;
     vertices[k] = inserted(on(line, ends[k]), (ends[k] - ends[k - 1]) / 2);
     lay_between(line, ends, low, k, vertices);
     lay_between(line, ends, k, high, vertices);
@@ -226,6 +250,8 @@ class Layer {
   LinkedMesh& mesh_;
   const Bounds& bounds_;
   double length_;
+  std::size_t most_points_;
+  std::size_t most_unsized_;  ///< pieces between two stops
   Index last_ = 0;
   std::uint64_t work_ = 0;
   std::size_t gaps_ = 0;
@@ -257,8 +283,8 @@ Plan bisection_plan(const LinkedMesh& mesh, const Territory& territory) {
   return {territory.borders(e.low, e.high), territory.workers(), [&](Point p) { return territory.owner(p); }};
 }
 
-Laid lay(LinkedMesh& mesh, const Bounds& bounds, const Plan& plan, double length) {
-  Layer layer(mesh, bounds, length);
+Laid lay(LinkedMesh& mesh, const Bounds& bounds, const Plan& plan, double length, std::size_t most_points) {
+  Layer layer(mesh, bounds, length, most_points);
   for (const Territory::Line& line : plan.lines) layer.cross(line);
   for (std::size_t k = 0; k < plan.lines.size(); ++k) layer.lay(plan.lines, k);
   return layer.finish();

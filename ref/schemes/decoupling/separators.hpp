@@ -38,7 +38,9 @@ inline constexpr double piece_of_unit_area = 1.07;
 /// Inserts the points of the separators into the mesh and makes the edges between them segments. Where a line crosses a
 /// segment at 60 degrees or more, and the segment has no small angle, their crossing becomes a vertex; otherwise the
 /// line has a gap there, as at a vertex of a segment. Points that encroach upon a segment, or are nearer than half a
-/// piece to another vertex, are left out. `length`: of pieces, in units of the longest ones that are known to be safe.
-[[nodiscard]] Laid lay(LinkedMesh& mesh, const Bounds& bounds, const Plan& plan, double length);
+/// piece to another vertex, are left out, and so are crossings that are almost vertices. `length`: of pieces, in units
+/// of the longest ones that are known to be safe. Stops when the mesh has more than `most_points`.
+[[nodiscard]] Laid lay(LinkedMesh& mesh, const Bounds& bounds, const Plan& plan, double length,
+                       std::size_t most_points);
 
 }  // namespace pardel::schemes::decoupled
