@@ -101,7 +101,8 @@ int main(int argc, char** argv) {
   app.add_option("--scheme", settings.scheme, "the name of the scheme, as --list prints it");
   app.add_option("--input", settings.input, "the name of the input");
   app.add_option("--triangles", settings.triangles, "about how many triangles the mesh has")
-      ->check(CLI::Range(1e2, 1e8));
+      ->check(CLI::Range(1e2, 1e8))
+      ->check([](const std::string& text) { return text.find("nan") == std::string::npos ? "" : "not a number"; });
   app.add_option("--workers", settings.workers, "one or more numbers of workers")->check(CLI::Range(1, 1 << 20));
   app.add_option("--seed", settings.seed, "of what a scheme draws at random");
   app.add_flag("--list", settings.list, "prints the names of schemes and inputs");

@@ -3,11 +3,12 @@ import json
 import math
 import os
 import subprocess
+import sys
 import tempfile
 import unittest
 import xml.etree.ElementTree
 
-from measuring import strategies
+from measuring import commits, strategies
 
 MACHINE = {"name": "a machine", "seconds_per_triangle": 1e-6, "latency": 1e-3, "bandwidth": 1e6}
 
@@ -74,6 +75,35 @@ class Counting(unittest.TestCase):
             done = run("COUNT_SCHEMES", *arguments)
             self.assertEqual(done.returncode, 2)
             self.assertIn(arguments[-1], done.stderr)
+
+
+class Options(unittest.TestCase):
+    """What is wrong with the options of bench/strategies is found before anything is built or counted."""
+
+    def refused(self, *arguments):
+        words = [sys.executable, commits.ROOT + "/bench/strategies", *arguments]
+        done = subprocess.run(words, capture_output=True, text=True, timeout=20, check=False)
+        self.assertNotEqual(done.returncode, 0, arguments)
+        self.assertNotIn("Traceback", done.stderr)
+        return done.stderr
+
+    def test_numbers_out_of_range_are_refused(self):
+        for name, text in (("--workers", "0"), ("--workers", "x"), ("--sizes", "nan"), ("--sizes", "5"), ("--jobs", "0")):
+            self.assertIn(name, self.refused(name, text))
+
+    def test_a_machine_that_cannot_be_read_is_refused(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "machine.json")
+            self.assertIn(path, self.refused("--machine", path, "--out", folder))
+            for text, message in (("no JSON", "no JSON"), ('{"name": "a"}', "seconds_per_triangle")):
+                with open(path, "w", encoding="utf-8") as out:
+                    out.write(text)
+                self.assertIn(message, self.refused("--machine", path, "--out", folder))
+
+    def test_a_folder_that_cannot_be_written_or_read_is_refused(self):
+        with tempfile.NamedTemporaryFile() as file:
+            self.assertIn(file.name, self.refused("--out", file.name))
+        self.assertIn("/no/folder", self.refused("--again", "/no/folder"))
 
 
 class Seconds(unittest.TestCase):
