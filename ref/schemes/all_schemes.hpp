@@ -9,7 +9,7 @@
 namespace pardel::schemes {
 
 struct Scheme {
-  std::string_view name;   ///< for the command line: "independent-cavities"
+  std::string_view name;   ///< for the command line: "closures"
   std::string_view title;  ///< for tables
   /// The outcomes for these numbers of workers, in their order. Where they make one mesh, its scheme runs once, and
   /// only the first outcome has a mesh.

@@ -26,7 +26,8 @@ class Parts {
   [[nodiscard]] const std::vector<int>& part() const { return part_; }
   [[nodiscard]] int worker(int part) const { return part % problem_.workers; }
 
-  /// Refines one part. Its work goes to the phase.
+  /// Refines one part by Ruppert's rules, but gives up what would split a separator or read another part's triangles.
+  /// Its work goes to the phase.
   void refine(int part, const std::vector<Index>& triangles, Phase& phase, Account& account) {
     std::deque<Index> waiting(triangles.begin(), triangles.end());
     while (!waiting.empty() && mesh_.points.size() <= problem_.most_points) {
@@ -66,7 +67,7 @@ class Parts {
     const Index s = mesh_.faces[side.triangle].segment[side.i];
     return s != no_segment && s >= laid_.first;
   }
-  /// Belong the cavity, and the triangles across its sides that are not constrained, to the part? Otherwise another
+  /// Do the cavity, and the triangles across its sides that are not constrained, belong to the part? Otherwise another
   /// part might change what the insertion reads.
   [[nodiscard]] bool is_inside(const Cavity& cavity, int part) const {
     return std::ranges::all_of(cavity.triangles, [&](Index t) { return part_[t] == part; }) &&

@@ -3,14 +3,18 @@
 // the plane above the cut; the lower hull of this projection is a path of Delaunay edges. It divides the points, points
 // on it go to both sides, and both sides are divided again, until each worker has one part. Then a sequential algorithm
 // triangulates each part inside its border.
+//
 // Sources: G. E. Blelloch, J. C. Hardwick, G. L. Miller, D. Talmor, "Design and implementation of a practical parallel
 // Delaunay algorithm", Algorithmica 24 (1999), Figure 4; H. Edelsbrunner, W. Shi, 1991 (the same idea for hulls).
+//
 // Where an implementer goes wrong: the path may touch the border and leave the region, so only its edges inside become
 // border; edges between two points of the path need their own test of sides; cocircular points, for which the edges of
 // two paths cross unless one tie rule holds for all paths and for the triangulation of parts (path.hpp).
+//
 // Work: a hull of n points counts n, the triangulation of a part as triangulation_of() counts it. Messages: hulls of
 // shares, paths, and points that travel. Nothing is wasted or set back. A worker holds the triangles of its part, also
 // those outside the border that it removes. Points of the input are no insertions.
+//
 // Left open: whether cuts alternate or follow the longer extent; how a team finds a hull (here: hulls of equal shares,
 // joined by the team's first worker).
 #pragma once

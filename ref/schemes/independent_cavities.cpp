@@ -59,7 +59,8 @@ class Taken {
     places(insertion, [&](Index place) { by_[place] = k; });
   }
 
-  /// The depth of a decision: one more than that of every earlier decision about one of its places.
+  /// Workers that decide in parallel wait for earlier decisions about the same places. Returns how many decisions of
+  /// such a chain end with this one: the depth, one more than that of every earlier decision about one of its places.
   std::uint64_t decide(const Insertion& insertion) {
     std::uint64_t deepest = 0;
     places(insertion, [&](Index place) { deepest = std::max(deepest, depth_[place]); });

@@ -4,15 +4,22 @@
 // destroys it. All such insertions, and those that would have to read a triangle of another worker, are potential
 // conflicts; a dedicated processor does them one after the other. A worker without a part gets half of a part that has
 // grown, divided by a path of its points.
+//
 // Sources: C. Kadow, "Parallel Delaunay Refinement Mesh Generation", thesis, Carnegie Mellon University 2004; C. Kadow,
 // N. Walkington, "Design of a projection-based parallel Delaunay mesh generation and refinement algorithm", 2003, and
 // "Adaptive dynamic projection-based partitioning for parallel Delaunay mesh generation algorithms", 2004.
+//
 // Where an implementer goes wrong: the cavity of a rejected circumcentre has been read, too; a cavity that ends at an
 // interface has read the triangle behind it; triangles that wait must move with their part; an entry
 // of a queue may be out of date and name a triangle of another worker.
+//
 // Work: triangles read for insertions, points of hulls. Wasted: what a worker read before it set an insertion back.
 // Sequential: what the dedicated processor reads. Messages: requests to it, one for each owner of a cavity in return,
-// and parts that move. Rounds: workers work, then the dedicated processor. The mesh depends on the number of workers.
+// and parts that move. Rounds: workers work, then the dedicated processor.
+//
+// The mesh with which the refinement starts does not depend on the number of workers. The refined mesh does: insertions
+// at interfaces wait for the dedicated processor, so the order changes.
+//
 // Left open: how many insertions a worker does per round; when a part may be divided; the cuts.
 #pragma once
 

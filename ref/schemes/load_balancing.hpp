@@ -8,12 +8,16 @@
 // The rule that makes the mesh independent of placement: a tile inserts a point only if the cavity lies within half a
 // side around the tile, so tiles of one colour commute; a tile runs only after its neighbours of lower colours, which
 // it hears of by messages. What no tile can insert is left to one worker at the end of a level. Each level halves the
-// side of the tiles, and refines until circumradii are small enough for the next one. Where an implementer goes wrong:
-// messages to a tile that has just left; messages that arrive before the tile; an end that is announced while a message
-// is in flight; decisions of a tile that depend on triangles out of its reach. Work: triangles read and written, by
-// tiles; one per item. Waste: what was read for insertions that were left. Messages: those for tiles, forwarded ones
-// again; tiles; requests and refusals; the waves that detect the end. Critical path: the virtual time, in which a
-// triangle takes one unit and a message `latency` to twice that. Rounds are phases, each with one barrier at its end.
+// side of the tiles, and refines until circumradii are small enough for the next one.
+//
+// Where an implementer goes wrong: messages to a tile that has just left; messages that arrive before the tile; an end
+// that is announced while a message is in flight; decisions of a tile that depend on triangles out of its reach.
+//
+// Work: triangles read and written, by tiles; one per item. Waste: what was read for insertions that were left.
+// Messages: those for tiles, forwarded ones again; tiles; requests and refusals; the waves that detect the end.
+// Critical path: the virtual time, in which a triangle takes one unit and a message `latency` to twice that. Rounds are
+// phases, each with one barrier at its end.
+//
 // Open in the papers: who is asked, how many tiles move, how tiles are placed first, how many tiles there are, how the
 // end is detected.
 #pragma once

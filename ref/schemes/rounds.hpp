@@ -4,6 +4,7 @@
 // Section 3: two centres conflict if each lies inside the disk of the other, that is, if their distance is below the
 // smaller of their radii. A maximal set without conflicts is inserted in each round. Inserted one after the other, the
 // largest disk first, each disk is still empty when its turn comes: so one worker could have made the same mesh.
+//
 // The same authors, "Time complexity of practical parallel Steiner point insertion algorithms", 2004: all bad triangles
 // take part in each round.
 //
@@ -31,15 +32,16 @@ struct RoundChoices {
   Priority priority = Priority::random;
 };
 
-/// The square of the radius of an insertion's disk: that of the circumcircle, or of the diametral circle of the side
-/// that is split, which ends at the nearer end.
+/// The square of the radius of an insertion's disk. For a circumcentre it is the circumdisk. For a point that splits a
+/// side, it is the disk around the point that reaches to the nearer end of the side.
 [[nodiscard]] double squared_radius(const LinkedMesh& mesh, const Insertion& insertion);
 
 /// Is the distance of the points below the smaller of the radii?
 [[nodiscard]] bool conflict(const LinkedMesh& mesh, const Insertion& p, const Insertion& q);
 
-/// A maximal set of candidates of which no two that have a triangle of their cavities in common conflict, the largest
-/// disk first. Others do not reach each other's disks.
+/// A maximal set of candidates, the largest disk first, of which no two conflict that have a triangle of their cavities
+/// in common. For circumcentres this finds all conflicts: if each of two lies in the disk of the other, both bad
+/// triangles belong to both cavities, unless a segment lies between them, and then neither disturbs the other.
 [[nodiscard]] Chosen centres_apart(const LinkedMesh& mesh, const std::vector<Candidate>& candidates,
                                    const RoundChoices& choices);
 

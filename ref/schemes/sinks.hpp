@@ -24,7 +24,7 @@ namespace pardel::schemes {
 [[nodiscard]] std::vector<Index> walk_to_sink(const LinkedMesh& mesh, Index t);
 
 /// What sink insertion does for a triangle that needs work: it splits an encroached side, inserts the circumcentre of
-/// the sink, or splits the segment that stopped the walk.
+/// the sink, or splits the segment that stopped the walk. Adds the triangles of the walk to `read`.
 [[nodiscard]] std::optional<Insertion> sink_insertion(const LinkedMesh& mesh, Index t, const Bounds& bounds,
                                                       std::uint64_t& read);
 

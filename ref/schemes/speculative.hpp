@@ -9,13 +9,15 @@
 // Where an implementer goes wrong: locks on the cavity alone (the triangles around it are read and written, too);
 // set-backs after which a lock or a mark remains, or the bad triangle is lost; two workers that set each other back for
 // ever, because nothing decides who goes first; an old split of a segment whose triangles were released in between.
+//
 // Work: one for each triangle that is locked and read, or written. Waste: the work of an insertion that is set back, or
 // that finds at the end of its search that it encroaches upon a segment. Messages: a request and an answer for each
 // lock on a triangle of another worker's part, one for its release, one for a lock that is taken away, and one for a
 // bad triangle that belongs to another worker. Critical path: the latest of the workers' clocks. A clock goes on by one
-// with each step, and is set forward to that of the worker which made or released what it takes. Open in the papers:
-// who gives up (Precedence), when it tries again (here: after all that is in its queue), the order of the queue (here:
-// first in, first out), and the speeds of the workers (Schedule).
+// with each step, and is set forward to that of the worker which made or released what it takes.
+//
+// Open in the papers: who gives up (Precedence), when it tries again (here: after all that is in its queue), the order
+// of the queue (here: first in, first out), and the speeds of the workers (Schedule).
 #pragma once
 
 #include "speculative/speculation.hpp"

@@ -25,12 +25,12 @@ struct Division {
   std::function<std::vector<Index>(Index)> touching;
   /// Does the point lie in the box of the cell, the cell with a margin? Its worker holds the triangles of the box.
   std::function<bool(Index, Point)> in_box;
-  /// May phases begin with a triangle of this circumdisk?
+  /// Is the circumdisk of a triangle so small that the next phase may begin with it?
   std::function<bool(Point centre, double radius)> allows;
   /// A task inserts a point only if the box of its cell contains it and its cavity (T-region). Otherwise a task inserts
   /// the points of its cell.
   bool owns_box = false;
-  /// Belongs a triangle to this division, or to another one that comes later?
+  /// Is a triangle refined in this division? Otherwise it waits for a later one.
   std::function<bool(const LinkedMesh&, Index)> is_due = [](const LinkedMesh&, Index) { return true; };
 };
 

@@ -25,8 +25,8 @@ struct Plan {
 struct Laid {
   Index first = 0;         ///< segments from this one on are separators
   std::size_t pieces = 0;  ///< of separators
-  std::size_t gaps =
-      0;  ///< pieces that are not there: they would be no Delaunay edges, or meet a segment at a bad angle
+  /// Pieces that are not there: they would be no Delaunay edges, or meet a segment at a bad angle.
+  std::size_t gaps = 0;
   std::uint64_t work = 0;
 };
 

@@ -29,6 +29,7 @@ Speculation::Speculation(Start start, const Problem& problem, Precedence precede
   }
 }
 
+/// A bad triangle goes to the queue of its owner, with a message if `from` is another worker.
 void Speculation::add_if_bad(int from, Index t, std::uint64_t ready) {
   if (!needs_work(mesh_, t, bounds_)) return;
   const int owner = marks_[t].owner;
@@ -40,6 +41,7 @@ void Speculation::add_if_bad(int from, Index t, std::uint64_t ready) {
   account_.bytes += bytes_of_triangle;
 }
 
+/// Worker w, with an insertion of this age, meets a triangle that another worker holds. Does it take the lock away?
 bool Speculation::wins(std::uint64_t age, int w, int holder) const {
   const SpeculativeAttempt& other = *workers_[place(holder)].attempt;
   if (other.writes > 0) return false;
@@ -60,7 +62,8 @@ int Speculation::would_set_back(int w) const {
   const Index next = me.attempt ? me.attempt->next : task.triangle;
   const int other = next == no_index ? no_worker : holder(next);
   if (other == no_worker || other == w) return no_worker;
-  return wins(task.age == 0 ? begun_ + 1 : task.age, w, other) ? other : w;
+  const std::uint64_t age = task.age == 0 ? begun_ + 1 : task.age;  // an insertion gets its age when it begins
+  return wins(age, w, other) ? other : w;
 }
 
 /// Nave, Chrisochoides and Chew: a lock on a triangle of another worker's part is a request and an answer.
@@ -122,6 +125,7 @@ void Speculation::give_up(int w) {
   --pending_;
 }
 
+/// The search for a cavity begins: that of p, or of the point p that splits a side.
 void Speculation::aim(int w, Point p, std::vector<Index> starts, Side split) {
   SpeculativeAttempt& attempt = *workers_[place(w)].attempt;
   attempt.expansion = Expansion(p, std::move(starts));
@@ -144,6 +148,7 @@ void Speculation::step(int w) {
   ++me.attempt->steps;
   if (me.attempt->writes > 0) return write(w);
   const Index next = me.attempt->next;
+  // Locked::cavity, which is too weak, reads the triangles around the cavity without locks.
   const bool only_read = me.attempt->has_read && locked_ == Locked::cavity && !me.attempt->expansion.joins(mesh_, next);
   if (!only_read && !take_lock(w, next)) return set_back(w);
   if (!me.attempt->has_read) return read_first(w);
@@ -167,6 +172,7 @@ void Speculation::read_first(int w) {
   expand(w);
 }
 
+/// Names the triangle of the next step.
 void Speculation::expand(int w) {
   SpeculativeAttempt& attempt = *workers_[place(w)].attempt;
   attempt.next = attempt.expansion.next(mesh_);
@@ -195,6 +201,7 @@ void Speculation::complete(int w) {
   attempt.writes = attempt.cavity.boundary.size();
 }
 
+/// The mesh changes at the last of the steps that write. Then all locks are released, and new bad triangles queue.
 void Speculation::write(int w) {
   SpeculativeWorker& me = workers_[place(w)];
   if (--me.attempt->writes > 0) return;
