@@ -128,7 +128,7 @@ class Refinement {
   /// the median of the keys is known: for the median, it counts on the rank that has refined.
   void go_down(const Levels& levels) {
     sweeper_.pending().set_aside(short_enough_for(*levels.back().lattice(), job_.options.decomposition));
-    RefineCounts in_last_submesh;  // a submesh that was too small does not count
+    RefineCounts in_last_submesh;
     waiting_ = communicator_.refine_coarse(
         {.refine_here = [&] { sweeper_.refine_coarse_levels(levels); },
          .take_due = [&] { return sweeper_.pending().take().deferred; },
@@ -138,7 +138,7 @@ class Refinement {
                changed = refine_submesh(submesh, [&](Sweeper& in_submesh) {
                  in_submesh.defer_again(submesh.first);
                  in_submesh.refine_coarse_levels(levels);
-                 in_last_submesh = in_submesh.counts();
+                 replace(in_last_submesh, in_submesh.counts());
                  keys_in_submesh_ = in_submesh.pending().count_keys();
                  waiting = in_submesh.pending().take();
                });
@@ -146,6 +146,13 @@ class Refinement {
              }});
     sweeper_.counts().add(in_last_submesh);
     sweeper_.pending().bring_back();
+  }
+
+  /// The counts of the next submesh. What was inserted into the one before, which was too small, is discarded.
+  static void replace(RefineCounts& counts, const RefineCounts& of_next) {
+    const std::uint64_t discarded = counts.discarded + counts.inserted + counts.segment_splits;
+    counts = of_next;
+    counts.discarded = discarded;
   }
 
   /// Refines a gathered submesh as work(sweeper) does. Returns the changed triangles. On one thread: tasks on several
@@ -204,7 +211,7 @@ class Refinement {
   }
 
   void go_up(const Levels& levels) {
-    RefineCounts in_last_submesh;  // a submesh that was too small does not count
+    RefineCounts in_last_submesh;
     communicator_.refine_rest({.refine_here = [&] { sweeper_.go_up(levels); },
                                .take_rest = [&] { return sweeper_.pending().take_needing_larger_box(); },
                                .refine_submesh =
@@ -212,7 +219,7 @@ class Refinement {
                                      return refine_submesh(submesh, [&](Sweeper& in_submesh) {
                                        in_submesh.pending().add_needing_larger_box(submesh.first);
                                        in_submesh.go_up(levels);
-                                       in_last_submesh = in_submesh.counts();
+                                       replace(in_last_submesh, in_submesh.counts());
                                        in_last_submesh.left_alone =
                                            in_last_submesh.left_alone || in_submesh.pending().any_needs_larger_box();
                                      });

@@ -37,6 +37,7 @@ namespace pardel::engine {
 
 struct RefineCounts {
   std::uint64_t inserted = 0, segment_splits = 0, refused = 0;
+  std::uint64_t discarded = 0;  ///< vertices that were inserted into gathered submeshes that were too small
   bool budget_reached = false;
   bool left_alone = false;  ///< false: no triangle of the result is exempt from the goal
   Tiling tiling;
@@ -46,6 +47,7 @@ struct RefineCounts {
     inserted += part.inserted;
     segment_splits += part.segment_splits;
     refused += part.refused;
+    discarded += part.discarded;
     left_alone = left_alone || part.left_alone;
   }
 };

@@ -135,11 +135,12 @@ void Sweeper::add_up(Sweep& sweep) const {
 }
 
 void Sweeper::add_up_counts() {
-  std::array counts{counts_.inserted, counts_.segment_splits, counts_.refused};
+  std::array counts{counts_.inserted, counts_.segment_splits, counts_.refused, counts_.discarded};
   communicator_.add_up(counts);
   counts_.inserted = counts[0];
   counts_.segment_splits = counts[1];
   counts_.refused = counts[2];
+  counts_.discarded = counts[3];
   counts_.left_alone = on_any_rank(counts_.left_alone);
 }
 
