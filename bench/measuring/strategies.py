@@ -98,7 +98,7 @@ def draw_parallelism(runs, titles):
     runs = [run for run in runs if run["size"] == largest and "error" not in run]
     schemes, domains = [s for s, in kinds(runs, "scheme")], [d for d, in kinds(runs, "input")]
     columns, width, height = size_of_drawing(len(domains), schemes)
-    most = max(2, max(run["workers"] for run in runs))
+    most = max([2] + [run["workers"] for run in runs])  # all runs may have failed
     inner = PANEL - MARGIN
     panels = []
     for place, domain in enumerate(domains):

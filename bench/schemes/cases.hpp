@@ -19,9 +19,10 @@ struct SchemeInput {
 /// "random" and "clustered" (points, with the bound on angles only).
 [[nodiscard]] std::vector<std::string> scheme_inputs();
 
-/// The input whose mesh has about this many triangles (within a third), with angles of at least 20.7 degrees. `refines`
-/// false: the points are only triangulated, so they are more; areas and lengths do not count. Errors: of kind `usage`,
-/// for a name that is not in the list.
+/// The input whose mesh has about this many triangles, with angles of at least 20.7 degrees: within a third from 10^4
+/// on, of clustered points from 10^5 on (few points leave wide gaps between clusters). `refines` false: the points are
+/// only triangulated, so they are more; areas and lengths do not count. Errors: of kind `usage`, for a name that is not
+/// in the list.
 [[nodiscard]] Result<SchemeInput> scheme_input(std::string_view name, double triangles, bool refines);
 
 }  // namespace pardel::bench

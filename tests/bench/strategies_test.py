@@ -1,14 +1,13 @@
-"""The comparison of parallel schemes: the programs that count and model, and what bench/strategies draws."""
+"""The programs that count what parallel schemes cost, and turn that into seconds."""
 import json
-import math
 import os
 import subprocess
 import sys
 import tempfile
 import unittest
-import xml.etree.ElementTree
 
 from measuring import commits, strategies
+from some_run import some_run
 
 MACHINE = {"name": "a machine", "seconds_per_triangle": 1e-6, "latency": 1e-3, "bandwidth": 1e6}
 
@@ -29,15 +28,6 @@ def known():
     return counts("--list")[0]
 
 
-def some_run(**changes):
-    """A run that was not counted, for the tables."""
-    plain = {"scheme": "a", "refines": True, "input": "square", "size": 1e4, "workers": 4, "triangles": 10,
-             "sequential": 10, "work": 90, "wasted": 25, "critical": 40, "before": 10, "parallelism": 2.5, "rounds": 3,
-             "barriers": 6, "set_backs": 1, "messages": 8, "bytes": 3e6, "most_held": 5, "smallest_angle": 21,
-             "certified": True, "seconds": 2.0}
-    return {**plain, **changes}
-
-
 class Counting(unittest.TestCase):
     def test_every_scheme_is_certified_on_every_input(self):
         names = known()
@@ -55,6 +45,35 @@ class Counting(unittest.TestCase):
             arguments = ("--scheme", scheme["name"], "--input", "random", "--triangles", 1000, "--workers", 5)
             self.assertEqual(counts(*arguments), counts(*arguments))
 
+    def test_each_number_of_workers_has_the_counts_of_a_run_of_its_own(self):
+        for scheme in known()["schemes"]:
+            arguments = ("--scheme", scheme["name"], "--input", "random", "--triangles", 600, "--workers")
+            self.assertEqual(counts(*arguments, 6, 1), counts(*arguments, 6) + counts(*arguments, 1))
+
+    def test_another_seed_draws_other_priorities(self):
+        arguments = ("--scheme", "exact", "--triangles", 1000, "--workers", 4)
+        self.assertNotEqual(counts(*arguments, "--seed", 1), counts(*arguments, "--seed", 2))
+
+    def test_meshes_have_about_as_many_triangles_as_asked_for(self):
+        for domain, triangles in (("square", 3000), ("pipe", 10000), ("key", 10000), ("random", 3000)):
+            line, = counts("--scheme", "one-worker", "--input", domain, "--triangles", triangles)
+            self.assertLess(abs(line["triangles"] / triangles - 1), 1 / 3, line)
+        for domain in strategies.POINT_SETS:
+            line, = counts("--scheme", "given-points", "--input", domain, "--triangles", 3000)
+            self.assertLess(abs(line["triangles"] / 3000 - 1), 0.05, line)
+
+    def test_counts_have_their_names(self):
+        line, = counts("--scheme", "one-worker", "--triangles", 1000)
+        self.assertEqual([line[key] for key in ("work", "wasted", "rounds", "barriers", "set_backs")], [0] * 5)
+        self.assertEqual((line["critical"], line["before"]), (line["sequential"], line["sequential"]))
+        self.assertEqual(line["most_held"], line["triangles"])
+        line, = counts("--scheme", "exact", "--triangles", 1000, "--workers", 6)  # nothing is set back
+        self.assertEqual(line["set_backs"], 0)
+        self.assertGreaterEqual(line["barriers"], 3 * line["rounds"])  # to propose, to choose, and to insert
+        self.assertEqual((line["messages"] > 0, line["bytes"] % 56), (True, 0))
+        self.assertGreater(line["work"], line["wasted"])
+        self.assertAlmostEqual(line["parallelism"], (line["sequential"] + line["work"]) / line["critical"])
+
     def test_parts_are_not_more_than_the_whole(self):
         for scheme in known()["schemes"]:
             for line in counts("--scheme", scheme["name"], "--input", "random", "--triangles", 2000, "--workers", 1, 8):
@@ -69,6 +88,9 @@ class Counting(unittest.TestCase):
         for scheme in known()["schemes"]:
             line, = counts("--scheme", scheme["name"], "--input", "random", "--triangles", 1000, "--workers", 1)
             self.assertEqual((line["messages"], line["bytes"]), (0, 0), line)
+
+    def test_every_scheme_has_a_colour_of_its_own(self):
+        self.assertGreaterEqual(len(set(strategies.COLOURS)), len(known()["schemes"]))
 
     def test_unknown_names_are_errors(self):
         for arguments in (("--scheme", "magic"), ("--scheme", "rounds", "--input", "moon")):
@@ -136,58 +158,6 @@ class Seconds(unittest.TestCase):
         self.assertIn("seconds_per_triangle", done.stderr)
         self.assertEqual(run("SCHEME_SECONDS", "/no/file", "/no/counts").returncode, 1)
 
-
-class Drawing(unittest.TestCase):
-    titles = {"a": "first", "b": "second"}
-
-    def runs(self):
-        return [some_run(scheme=scheme, workers=workers, size=size, input=domain, seconds=seconds / workers)
-                for scheme, seconds in (("a", 3), ("b", 2)) for workers in (1, 4) for size in (1e3, 1e4)
-                for domain in ("square", "pipe")]
-
-    def test_the_winner_has_the_least_seconds(self):
-        best = strategies.winners(self.runs() + [some_run(scheme="a", workers=4, seconds=0.1)])
-        self.assertEqual(best["square", 4, 1e4]["scheme"], "a")
-        self.assertEqual(best["pipe", 4, 1e4]["scheme"], "b")
-        self.assertEqual(len(best), 8)
-
-    def test_schemes_that_meet_no_goal_win_nothing(self):
-        best = strategies.winners([some_run(seconds=0, refines=False), some_run(scheme="b")])
-        self.assertEqual(best["square", 4, 1e4]["scheme"], "b")
-
-    def test_failed_runs_win_nothing(self):
-        best = strategies.winners([{**some_run(seconds=0), "error": "no mesh"}, some_run(scheme="b")])
-        self.assertEqual(best["square", 4, 1e4]["scheme"], "b")
-
-    def test_pictures_are_svg_with_all_schemes(self):
-        for picture in (strategies.draw_parallelism(self.runs(), self.titles),
-                        strategies.draw_winners(self.runs(), self.titles, MACHINE)):
-            root = xml.etree.ElementTree.fromstring(picture)
-            words = [element.text for element in root.iter() if element.text]
-            for title in self.titles.values():
-                self.assertIn(title, words)
-            for number in picture.replace('"', " ").split():
-                self.assertNotIn(number, ("nan", "inf"))
-
-    def test_a_cell_of_the_picture_has_the_colour_of_its_winner(self):
-        picture = strategies.draw_winners(self.runs(), self.titles, MACHINE)
-        cells = [e for e in xml.etree.ElementTree.fromstring(picture).iter() if e.tag.endswith("rect") and len(e)]
-        self.assertEqual(len(cells), 8)
-        self.assertEqual({cell.get("fill") for cell in cells}, {strategies.COLOURS[1]})
-
-    def test_tables_have_a_row_per_scheme(self):
-        page = strategies.tables(self.runs(), self.titles, MACHINE)
-        self.assertEqual(page.count("## "), 4)  # two inputs and sizes, with more than one worker
-        self.assertEqual(page.count("| first |"), 4)
-        self.assertIn("| 25% |", page)  # wasted work
-        self.assertIn("| 25.0% |", page)  # of the path before parallel work
-
-    def test_every_scheme_has_a_colour_of_its_own(self):
-        self.assertGreaterEqual(len(set(strategies.COLOURS)), len(known()["schemes"]))
-
-    def test_a_run_without_work_wastes_nothing(self):
-        self.assertEqual(strategies.value(some_run(sequential=0, work=0, wasted=0), "wasted"), 0)
-        self.assertFalse(math.isnan(strategies.value(some_run(critical=0), "before")))
 
 
 if __name__ == "__main__":
