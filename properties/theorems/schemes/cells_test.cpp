@@ -378,7 +378,8 @@ PARDEL_FACT(CellSchemes, of_two_radii_are_four_times_as_many_and_meet_in_triangl
 }
 
 PARDEL_FACT(CellSchemes, boxes_need_no_preprocessing_and_quadtrees_follow_the_size,
-            {.statement = "Tasks that own boxes begin with the triangulation of the domain. Over a graded mesh a "
+            {.statement = "Tasks that own boxes begin with the triangulation of the domain, and 16 workers work at the "
+                          "same time. Over a graded mesh a "
                           "quadtree has a shorter critical path than a lattice with as many workers.",
              .source = "properties/THEORY.md, T-region, Quadtree",
              .families = "the unit square, uniform areas and edges that grow from a corner, 16 workers"}) {
@@ -387,6 +388,7 @@ PARDEL_FACT(CellSchemes, boxes_need_no_preprocessing_and_quadtrees_follow_the_si
                 cells = refined_in_cells(uniform, {Kind::lattice, 64}).account;
   EXPECT_EQ(boxes.sequential, some_start(uniform).account.sequential);
   EXPECT_GT(cells.sequential, 10 * boxes.sequential);
+  EXPECT_GT(schemes::parallelism(boxes), 4);
   SchemeCase graded = square_case(16, 1);
   graded.goal.size = [](Point p) { return 1e-3 * (1 + 60 * std::hypot(p.x, p.y)); };
   const Account leaves = refined_in_cells(graded, {Kind::quadtree, 64}).account,

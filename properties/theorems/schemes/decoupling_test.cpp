@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <set>
 
 #include "../../../core/support/smallest_angle.hpp"
@@ -126,14 +127,23 @@ PARDEL_PROPERTY(Decoupling, needs_no_flip_after_gluing,
   RC_ASSERT(shown.end.flips == 0U);
 }
 
-PARDEL_PROPERTY(Decoupling, sends_no_message_after_the_start,
-                {.statement = "Each worker but the first gets one message, with its parts, at most; there is one phase "
-                              "and one barrier. One worker has no separator and nothing to give up.",
-                 .source = "Linardakis, Chrisochoides 2006",
-                 .families = scheme_families}) {
+PARDEL_PROPERTY(
+    Decoupling, sends_no_message_after_the_start,
+    {.statement =
+         "Each worker but the first gets one message, with its parts, at most; there is one phase "
+         "and one barrier. It holds these parts at the end. One worker has no separator and nothing to give up.",
+     .source = "Linardakis, Chrisochoides 2006",
+     .families = scheme_families}) {
   const SchemeCase c = some_scheme_case(exhibit);
   Shown shown;
   const Outcome o = decoupled(c, shown, some_decoupling());
+  const auto workers = static_cast<std::uint64_t>(c.workers);
+  std::vector<std::uint64_t> held(workers, 0);
+  for (const int part : shown.part)
+    if (part >= 0) ++held[static_cast<std::size_t>(part) % workers];
+  const std::uint64_t of_others = std::accumulate(held.begin() + 1, held.end(), std::uint64_t{0});
+  RC_ASSERT(o.account.bytes == of_others * schemes::bytes_of_triangle);
+  RC_ASSERT(o.account.most_held >= *std::ranges::max_element(held));
   RC_ASSERT(o.account.messages <= static_cast<std::uint64_t>(c.workers - 1));
   RC_ASSERT(o.account.rounds == 1U);
   RC_ASSERT(o.account.barriers == 1U);
@@ -192,6 +202,26 @@ PARDEL_PROPERTY(
   for (const schemes::Face& face : o.mesh.faces)
     for (const Index s : face.segment) RC_ASSERT(s == schemes::no_segment || s < shown.first);
   classify(shown.pieces > 0, "separators are laid", 20);
+}
+
+PARDEL_PROPERTY(Decoupling, leaves_to_one_worker_what_comes_before_and_after,
+                {.statement = "One worker lays separators before the parts are refined, and inserts the late points "
+                              "after that. Both are on the critical path, together with the longest work of a worker. "
+                              "Each split of a separator that a part would need is a set-back.",
+                 .source = "ref/schemes/decoupling.hpp",
+                 .families = scheme_families}) {
+  const SchemeCase c = some_scheme_case(exhibit);
+  Shown shown;
+  const schemes::Account a = decoupled(c, shown, some_decoupling()).account;
+  const schemes::Start start = some_start(c);
+  const std::size_t laid = shown.laid.points.size() - start.mesh.points.size();
+  classify(laid > 0, "a separator has a new vertex", 20);
+  classify(shown.end.late > 0, "a point is inserted late", 10);
+  RC_ASSERT(a.before >= start.account.sequential + laid);
+  RC_ASSERT(a.sequential >= a.before + shown.end.late + shown.end.flips);
+  RC_ASSERT(a.critical <= a.sequential + a.work);
+  RC_ASSERT(a.critical >= a.sequential + a.work / static_cast<std::uint64_t>(c.workers));
+  RC_ASSERT(a.set_backs >= shown.end.separator_splits);
 }
 
 PARDEL_FACT(Decoupling, splits_a_separator_whose_pieces_are_too_long,

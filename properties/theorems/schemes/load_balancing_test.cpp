@@ -2,6 +2,7 @@
 #include "../../../ref/schemes/load_balancing.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdlib>
 
@@ -142,7 +143,8 @@ PARDEL_PROPERTY(LoadBalancing, no_message_is_lost_and_the_end_is_true,
                  .source = "Mattern 1987; Barker et al. 2004",
                  .families = tiled_families}) {
   const SchemeCase c = some_tiled_case(exhibit);
-  const Balanced balanced = some_balanced(c, some_balancing());
+  const LoadBalancingOptions options = some_balancing();
+  const Balanced balanced = some_balanced(c, options);
   const schemes::BalancingCounts& n = balanced.counts;
   const Account& a = balanced.outcome.account;
   const auto workers = static_cast<std::uint64_t>(c.workers);
@@ -157,6 +159,10 @@ PARDEL_PROPERTY(LoadBalancing, no_message_is_lost_and_the_end_is_true,
   RC_ASSERT(a.insertions == balanced.outcome.mesh.points.size() - c.pslg.points.size());
   RC_ASSERT(a.wasted <= a.work && a.set_backs == 0);
   RC_ASSERT(workers > 1 || a.messages == 0);
+  // Two waves go down a binary tree and up again before the announcement.
+  const auto depth = static_cast<std::uint64_t>(std::bit_width(workers) - 1);
+  const auto announcement = static_cast<std::uint64_t>(std::bit_width(workers - 1));
+  RC_ASSERT(a.critical - a.sequential >= a.rounds * options.rules.latency * (4 * depth + announcement));
 }
 
 /// The key, with short edges around the origin.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <deque>
+#include <map>
 
 #include "some_problem.hpp"
 
@@ -99,12 +100,14 @@ PARDEL_PROPERTY(Speculative, one_worker_runs_ruppert_s_algorithm,
   RC_ASSERT(account.most_held == outcome.mesh.faces.size());
 }
 
-PARDEL_PROPERTY(Speculative, a_set_back_leaves_nothing_behind,
-                {.statement = "An insertion that is set back leaves the mesh and the locks of all others as they were, "
-                              "keeps no lock, and is tried again. Without another worker in the way no insertion is "
-                              "set back.",
-                 .source = "Nave, Chrisochoides, Chew 2002 (rollback)",
-                 .families = scheme_families}) {
+PARDEL_PROPERTY(
+    Speculative, a_set_back_leaves_nothing_behind,
+    {.statement =
+         "An insertion that is set back leaves the mesh and the locks of all others as they were, "
+         "keeps no lock, and is tried again. None is that writes. Without another worker in the way no insertion is "
+         "set back.",
+     .source = "Nave, Chrisochoides, Chew 2002 (rollback)",
+     .families = scheme_families}) {
   const SchemeCase c = some_scheme_case(exhibit);
   Speculation run = some_speculation(c);
   bool met = false, taken_away = false;
@@ -120,6 +123,7 @@ PARDEL_PROPERTY(Speculative, a_set_back_leaves_nothing_behind,
     (loser == w ? met : taken_away) = true;
     const LinkedMesh before = run.mesh();
     const std::vector<int> held = all_holders(run);
+    RC_ASSERT(!run.will_change_the_mesh(loser));
     run.step(w);
     RC_ASSERT(run.account().set_backs == set_backs + 1);
     RC_ASSERT(run.held(loser).empty() && !run.is_idle(loser));
@@ -176,12 +180,17 @@ PARDEL_PROPERTY(Speculative, the_account_follows_from_what_was_done,
                  .families = scheme_families}) {
   const SchemeCase c = some_scheme_case(exhibit);
   Speculation run = some_speculation(c);
-  std::uint64_t steps = 0;
+  const schemes::Start start = some_start(c);
+  const schemes::Territory territory(start.mesh, start.bounds, c.workers);
+  std::uint64_t steps = 0, ends_with_changes = 0;
   std::vector<std::uint64_t> of_worker(static_cast<std::size_t>(c.workers), 0);
   for (generators::Random random(c.seed); !run.is_over(); ++steps) {
     const int w = some_worker(run, c, random);
     ++of_worker[static_cast<std::size_t>(w)];
+    const bool changes = run.will_change_the_mesh(w);
+    const std::uint64_t ends = run.counts().remote_ends;
     run.step(w);
+    if (changes) ends_with_changes += run.counts().remote_ends - ends;
   }
   const schemes::SpeculativeCounts counts = run.counts();
   const schemes::Outcome outcome = std::move(run).outcome();
@@ -193,10 +202,47 @@ PARDEL_PROPERTY(Speculative, the_account_follows_from_what_was_done,
   RC_ASSERT(a.set_backs > 0 || (counts.late > 0) == (a.wasted > 0));
   RC_ASSERT(a.wasted >= a.set_backs + 2 * counts.late);
   RC_ASSERT(a.messages == 2 * counts.remote_asks + counts.remote_ends + counts.taken_away + counts.handed_on);
+  // A request has 8 bytes. A triangle comes with an answer, goes back if it was changed, and is handed on if it is bad.
+  RC_ASSERT(a.bytes == 8 * (counts.remote_asks + counts.taken_away + counts.remote_ends - ends_with_changes) +
+                           schemes::bytes_of_triangle * (counts.remote_asks + counts.handed_on + ends_with_changes));
+  RC_ASSERT(a.most_held == schemes::most_owned(outcome.mesh, territory));
+  classify(counts.handed_on > 0, "a bad triangle is handed on", 10);
   RC_ASSERT(counts.remote_ends <= counts.remote_asks && counts.taken_away <= a.set_backs);
   RC_ASSERT(a.before == a.sequential && a.barriers == 0);
   RC_ASSERT(a.critical >= a.before + *std::ranges::max_element(of_worker));
   RC_ASSERT(a.critical <= a.sequential + a.work);
+}
+
+PARDEL_PROPERTY(Speculative, a_lock_is_taken_after_its_release,
+                {.statement = "The clock of a worker that takes a lock is beyond the clock of the worker that had it "
+                              "before at its release. Clocks never go back; the critical path ends with the last.",
+                 .source = "ref/schemes/speculative/worker.hpp",
+                 .families = scheme_families}) {
+  const SchemeCase c = some_scheme_case(exhibit);
+  Speculation run = some_speculation(c);
+  std::map<Index, std::uint64_t> released;
+  bool waits = false;
+  std::uint64_t last = run.account().critical;
+  for (generators::Random random(c.seed); !run.is_over();) {
+    const int w = some_worker(run, c, random);
+    const std::vector<int> before = all_holders(run);
+    const std::uint64_t clock = run.clock(w);
+    run.step(w);
+    RC_ASSERT(run.clock(w) > clock);
+    last = std::max(last, run.clock(w));
+    for (Index t = 0; t < run.mesh().faces.size(); ++t) {
+      const int now = run.holder(t), then = t < before.size() ? before[t] : schemes::no_worker;
+      if (now == then) continue;
+      if (now == schemes::no_worker) {
+        released[t] = run.clock(then);
+        continue;
+      }
+      RC_ASSERT(run.clock(now) > released[t]);
+      waits = waits || released[t] > clock;
+    }
+  }
+  classify(waits, "a worker waits for a lock", 10);
+  RC_ASSERT(std::move(run).outcome().account.critical == last);
 }
 
 /// A square with a bound on areas.

@@ -56,6 +56,8 @@ class Speculation {
   [[nodiscard]] int holder(Index t) const { return t < marks_.size() ? marks_[t].holder : no_worker; }
   /// The triangles on which the worker has locks.
   [[nodiscard]] const std::vector<Index>& held(int w) const { return workers_[place(w)].held; }
+  /// When the worker has done its last step, in units of work.
+  [[nodiscard]] std::uint64_t clock(int w) const { return workers_[place(w)].clock; }
   [[nodiscard]] const SpeculativeCounts& counts() const { return counts_; }
   [[nodiscard]] std::size_t points() const { return mesh_.points.size(); }
 
