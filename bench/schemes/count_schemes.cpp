@@ -7,10 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "../../properties/checker/check.hpp"
 #include "../../ref/schemes/all_schemes.hpp"
-#include "../../ref/schemes/mesh/domain_mesh.hpp"
-#include "cases.hpp"
+#include "quality.hpp"
 
 namespace pardel::bench {
 namespace {
@@ -25,13 +23,9 @@ struct Settings {
   bool list = false;
 };
 
-/// What the mesh is like, whoever made it.
-Json quality(const schemes::Scheme& scheme, const schemes::LinkedMesh& mesh, const SchemeInput& input) {
-  const Goal goal = scheme.refines ? input.goal : Goal{.min_angle_deg = 0};
-  const Certificate certificate = check(input.pslg, schemes::to_mesh(mesh, input.pslg), goal);
-  return {{"triangles", mesh.faces.size()},
-          {"smallest_angle", certificate.min_angle_deg.value},
-          {"certified", certificate.valid}};
+Json quality(const schemes::LinkedMesh& mesh, const SchemeInput& input, bool refines) {
+  const SchemeQuality q = scheme_quality(mesh, input, refines);
+  return {{"triangles", q.triangles}, {"smallest_angle", q.smallest_angle}, {"certified", q.certified}};
 }
 
 Json costs(const schemes::Account& a) {
@@ -83,7 +77,7 @@ int run(const Settings& settings) {
       line["error"] = outcomes.error().message;
     } else {
       const schemes::Outcome& outcome = (*outcomes)[k];
-      if (!outcome.mesh.faces.empty()) mesh = quality(*scheme, outcome.mesh, *input);
+      if (!outcome.mesh.faces.empty()) mesh = quality(outcome.mesh, *input, scheme->refines);
       line.update(mesh);
       line.update(costs(outcome.account));
     }
