@@ -24,9 +24,9 @@ enum class RadiusTheorem : std::uint8_t { t3, t3_sharp };
 [[nodiscard]] Number squared_growth_bound(const Pslg& pslg, const Number& squared_start);
 
 /// The square of r̄ = r0 times the factor above. Under the hypotheses of Lattice (f), no circumradius ever exceeds r̄:
-/// all border edges are segments, segments are split at midpoints, circumcentres that encroach are not inserted, and all
-/// triangles meet the bounds of `start` when the refinement begins.
-/// Preconditions and errors: as for the two functions above.
+/// all border edges are segments, segments are split at midpoints, circumcentres that encroach are not inserted, and
+/// all triangles meet the bounds of `start` when the refinement begins. Preconditions and errors: as for the two
+/// functions above.
 [[nodiscard]] Result<Number> squared_radius_bound(const Pslg& pslg, const Goal& start, RadiusTheorem theorem);
 
 }  // namespace pardel::ref

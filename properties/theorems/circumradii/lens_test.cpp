@@ -1,4 +1,6 @@
 // T2 with a lens in place of the diametral circle: the variant that the engine uses. Proof: properties/THEORY.md, T2.
+#include "lens.hpp"
+
 #include <algorithm>
 
 #include "../../../ref/insertion.hpp"
@@ -6,7 +8,6 @@
 #include "../framework/scene_carving.hpp"
 #include "../framework/shares.hpp"
 #include "left_triangle.hpp"
-#include "lens.hpp"
 
 namespace pardel::properties {
 namespace {
