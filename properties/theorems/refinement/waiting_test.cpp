@@ -85,8 +85,10 @@ PARDEL_FACT(
       for (const auto& [cell, point] : phase.insertions) {
         const auto split = ref::constraint_through(mesh, point);
         if (split) waiting.erase(ref::edge((*split)[0], (*split)[1]));
-        if (!split) EXPECT_TRUE(splits_an_empty_circumdisk(mesh, point, waiting));
-        if (!split && !waiting.empty()) ++triangles;
+        if (!split) {
+          EXPECT_TRUE(splits_an_empty_circumdisk(mesh, point, waiting));
+          triangles += !waiting.empty();
+        }
         ref::insert(mesh, point);
       }
     });

@@ -41,7 +41,8 @@ bool is_locally_delaunay(const PlainMesh& mesh) {
   for (const ref::Corners& t : mesh.triangles)
     for (int k = 0; k < 3; ++k) left_of[{t[k], t[(k + 1) % 3]}] = t;
   return std::ranges::all_of(left_of, [&](const auto& entry) {
-    const auto& [e, t] = entry;
+    const ref::Edge& e = entry.first;
+    const ref::Corners& t = entry.second;
     const auto other = left_of.find({e[1], e[0]});
     if (other == left_of.end() || mesh.constraints.contains(ref::edge(e[0], e[1]))) return true;
     return std::ranges::none_of(other->second, [&](Index v) { return circumdisk_contains(mesh, t, mesh.points[v]); });
