@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "../../../ref/insertion.hpp"
+#include "../framework/on_walls.hpp"
 #include "../framework/property.hpp"
 #include "../framework/scene_carving.hpp"
 #include "../framework/shares.hpp"
@@ -20,7 +21,9 @@ struct Replacement {
   Number squared_radius;
   Number inside;                 ///< r² of the triangle of the cavity at ab
   std::optional<Number> beyond;  ///< r² of the triangle beyond ab; none if ab is constrained or on the hull
-  bool encroaches;               ///< does p encroach upon ab?
+  CGAL::Angle at_p;              ///< between a and b, seen from p; obtuse if p is strictly inside the diametral circle
+
+  [[nodiscard]] bool is_excluded() const { return !beyond && at_p == CGAL::OBTUSE; }  ///< T2 says nothing about it
 };
 
 std::vector<Replacement> replacements(const ref::PlainMesh& mesh, const ref::ExactPoint& p) {
@@ -32,22 +35,37 @@ std::vector<Replacement> replacements(const ref::PlainMesh& mesh, const ref::Exa
     const bool is_constrained = mesh.constraints.contains(ref::edge(t[0], t[1]));
     result.push_back({t[0], t[1], squared_circumradius(with_p, t), *squared_circumradius_left_of(mesh, t[0], t[1]),
                       is_constrained ? std::nullopt : squared_circumradius_left_of(mesh, t[1], t[0]),
-                      ref::encroaches(p, mesh.points[t[0]], mesh.points[t[1]])});
+                      CGAL::angle(mesh.points[t[0]], p, mesh.points[t[1]])});
   }
   return result;
 }
 
-/// True if the point encroaches upon no constrained edge and no hull edge of the boundary of its cavity. An edge that
-/// it splits is not counted.
+/// True if the point lies strictly inside the diametral circle of no constrained edge and no hull edge of the boundary
+/// of its cavity. An edge that it splits is not counted.
 bool encroaches_on_nothing(const std::vector<Replacement>& replacements) {
-  return std::none_of(replacements.begin(), replacements.end(),
-                      [](const Replacement& r) { return !r.beyond && r.encroaches; });
+  return std::ranges::none_of(replacements, &Replacement::is_excluded);
+}
+
+/// Does the point lie on the diametral circle of a constrained edge or hull edge of the boundary of its cavity?
+bool is_on_a_circle(const std::vector<Replacement>& replacements) {
+  return std::ranges::any_of(replacements, [](const Replacement& r) { return !r.beyond && r.at_p == CGAL::RIGHT; });
 }
 
 struct Case {
   MeshedScene meshed;
-  std::vector<ref::ExactPoint> points;  ///< insertions of the scene, and midpoints of walls
+  std::vector<ref::ExactPoint> points;  ///< insertions of the scene, midpoints of walls, points on diametral circles
 };
+
+/// The point on the diametral circle of an edge of the border, or of a wall, that is farthest from the edge, on its
+/// left side. For an edge of the border this is the side of the mesh.
+ref::ExactPoint above_an_edge(const MeshedScene& meshed) {
+  std::vector<ref::Edge> edges = border_of(meshed.mesh);
+  edges.insert(edges.end(), meshed.mesh.constraints.begin(), meshed.mesh.constraints.end());
+  const ref::Edge e = *rc::gen::elementOf(edges).as("edge");
+  const ref::ExactPoint &a = meshed.mesh.points[e[0]], &b = meshed.mesh.points[e[1]];
+  const ref::Kernel::Vector_2 half = (b - a) / 2;
+  return a + half + half.perpendicular(CGAL::COUNTERCLOCKWISE);
+}
 
 Case some_case(Exhibit& exhibit, const SceneSpec& spec) {
   Case result{*scenes(spec).as("scene"), {}};
@@ -57,38 +75,56 @@ Case some_case(Exhibit& exhibit, const SceneSpec& spec) {
   for (const Point& p : scene.insertions) result.points.push_back(ref::exact(p));
   if (!scene.walls.empty() && *rc::gen::arbitrary<bool>().as("also split a wall")) {
     const ref::Edge wall = *rc::gen::elementOf(scene.walls).as("wall");
-    result.points.push_back(CGAL::midpoint(ref::exact(scene.points[wall[0]]), ref::exact(scene.points[wall[1]])));
+    const ref::ExactPoint middle = CGAL::midpoint(ref::exact(scene.points[wall[0]]), ref::exact(scene.points[wall[1]]));
+    if (std::ranges::count(result.points, middle) == 0) result.points.push_back(middle);
+  }
+  if (*rc::gen::arbitrary<bool>().as("also a point on a diametral circle")) {
+    const ref::ExactPoint p = above_an_edge(result.meshed);
+    const std::vector<ref::ExactPoint>& vertices = result.meshed.mesh.points;
+    if (lies_in(result.meshed.mesh, p) && std::ranges::count(vertices, p) + std::ranges::count(result.points, p) == 0)
+      result.points.insert(result.points.begin(), p);
   }
   return result;
 }
 
 constexpr const char* scene_kinds =
-    "all layouts, walls, carved domains and positions of random scenes; points on edges, circumcircles and walls";
+    "all layouts, walls, carved domains and positions of random scenes; points on edges, circumcircles and walls, and "
+    "on "
+    "diametral circles of walls and hull edges";
 
 void every_new_radius_is_bounded_across_its_edge(Exhibit& exhibit, bool walls) {
-  const Case given = some_case(exhibit, walls ? in_any_walled_domain({.insertions = 1}) : SceneSpec{.insertions = 1});
+  const SceneSpec spec{.insertions = 1, .on_walls = true, .mostly_on_walls = true};
+  const Case given = some_case(exhibit, walls ? in_any_walled_domain(spec) : SceneSpec{.insertions = 1});
   if (walls) classify_outline(given.meshed, given.meshed.scene.insertions, 1);
-  bool some_encroach = false, some_have_one_triangle = false;
-  for (const ref::ExactPoint& p : given.points)
-    for (const Replacement& made : replacements(given.meshed.mesh, p)) {
-      some_encroach |= !made.beyond && made.encroaches;
-      some_have_one_triangle |= !made.beyond && !made.encroaches;
+  if (walls) classify_on_walls(given.meshed.mesh, given.points, {.two = 6});
+  bool some_encroach = false, some_have_one_triangle = false, some_are_on_a_circle = false, some_are_equal = false;
+  for (const ref::ExactPoint& p : given.points) {
+    const std::vector<Replacement> all = replacements(given.meshed.mesh, p);
+    some_are_on_a_circle |= is_on_a_circle(all);
+    for (const Replacement& made : all) {
+      some_encroach |= made.is_excluded();
+      some_have_one_triangle |= !made.beyond && !made.is_excluded();
       if (made.beyond)
         RC_ASSERT(made.squared_radius <= std::max(made.inside, *made.beyond));
-      else if (!made.encroaches)
+      else if (!made.is_excluded())
         RC_ASSERT(made.squared_radius < made.inside);
+      some_are_equal |= made.beyond && made.squared_radius == std::max(made.inside, *made.beyond);
     }
+  }
+  classify(some_are_on_a_circle, "on the diametral circle of a constrained or hull edge", 20);
+  classify(some_are_equal, "a new circumradius equals the larger of the two", 1.5);
   classify(some_encroach, "encroaches: no claim", 1);
   classify(some_have_one_triangle, "constrained or hull edge, not encroached", 1);
 }
 
-PARDEL_PROPERTY(T2, a_new_circumradius_is_at_most_the_larger_of_the_two_across_its_edge,
-                {.statement = "Inserting p into a Delaunay mesh makes a triangle abp on each edge ab of the boundary "
-                              "of its cavity. The circumradius of abp is at most the larger of the circumradii of "
-                              "the two triangles that met at ab. If ab is on the hull and p does not encroach upon "
-                              "it, the circumradius is less than that of the old triangle at ab.",
-                 .source = "[CC]; THEORY.md, T2",
-                 .families = scene_kinds}) {
+PARDEL_PROPERTY(
+    T2, a_new_circumradius_is_at_most_the_larger_of_the_two_across_its_edge,
+    {.statement = "Inserting p into a Delaunay mesh makes a triangle abp on each edge ab of the boundary "
+                  "of its cavity. The circumradius of abp is at most the larger of the circumradii of "
+                  "the two triangles that met at ab. If ab is on the hull and p is not strictly "
+                  "inside its diametral circle, the circumradius is less than that of the old triangle at ab.",
+     .source = "[CC]; THEORY.md, T2",
+     .families = scene_kinds}) {
   every_new_radius_is_bounded_across_its_edge(exhibit, false);
 }
 
@@ -96,44 +132,58 @@ PARDEL_PROPERTY(T2, a_new_circumradius_has_the_same_bound_in_a_constrained_mesh,
                 {.statement = "Inserting p into a constrained Delaunay mesh makes a triangle abp on each edge ab of "
                               "the boundary of its cavity. The circumradius of abp is at most the larger of the "
                               "circumradii of the two triangles that met at ab. If ab is constrained or on the hull "
-                              "and p does not encroach upon it, the circumradius is less than that of the old "
-                              "triangle on the side of p. p may split a constrained edge.",
+                              "and p is not strictly inside its diametral circle, the circumradius is less "
+                              "than that of the old triangle on the side of p. p may split a constrained edge.",
                  .source = "THEORY.md, T2",
                  .families = scene_kinds}) {
   every_new_radius_is_bounded_across_its_edge(exhibit, true);
 }
 
 void the_bound_is_kept(Exhibit& exhibit, bool walls) {
-  const SceneSpec spec{.insertions = 2, .encroaching = false};
-  Case given = some_case(exhibit, walls ? in_any_walled_domain(spec) : spec);
+  SceneSpec spec{.insertions = 2, .encroaching = false};
+  if (walls) {
+    spec = in_any_walled_domain(spec);
+    spec.on_walls = spec.mostly_on_walls = true;
+  }
+  const Case given = some_case(exhibit, spec);
   // By Lemma 7, something is hidden only if a wall is encroached, so it is rare here.
   if (walls) classify_outline(given.meshed, given.meshed.scene.insertions, 0.3);
   ref::PlainMesh mesh = given.meshed.mesh;
   int inserted = 0;
+  bool splits_inside = false, splits_border = false, is_on_circle = false;
   for (const ref::ExactPoint& p : given.points) {
-    if (!encroaches_on_nothing(replacements(mesh, p))) continue;
+    const std::vector<Replacement> made = replacements(mesh, p);
+    if (!encroaches_on_nothing(made)) continue;
+    is_on_circle |= is_on_a_circle(made);
+    const SplitEdge split = split_edge_at(mesh, p);
+    splits_inside |= split.is_wall && !split.is_border;
+    splits_border |= split.is_border;
     ref::insert(mesh, p);
     ++inserted;
     RC_ASSERT(squared_circumradius_bound(mesh) <= given.meshed.squared_bound);
   }
   classify(inserted > 0, "something inserted", 90);
+  classify(is_on_circle, "inserted on the diametral circle of a constrained or hull edge", 15);
+  classify(splits_border, walls ? "a border edge was split" : "an edge of the hull was split", 10);
+  if (walls) classify(splits_inside, "a wall inside the domain was split", 15);
 }
 
 PARDEL_PROPERTY(T2, inserting_points_that_encroach_on_no_hull_edge_of_their_cavities_keeps_the_circumradius_bound,
-                {.statement = "Insert points into a Delaunay mesh one after the other. If no point encroaches upon a "
-                              "hull edge of the boundary of its cavity, the largest circumradius never grows.",
+                {.statement = "Insert points into a Delaunay mesh one after the other. If no point lies "
+                              "strictly inside the diametral circle of a hull edge of the boundary of its cavity, the "
+                              "largest circumradius never grows.",
                  .source = "[CC]; THEORY.md, T2",
                  .families = scene_kinds}) {
   the_bound_is_kept(exhibit, false);
 }
 
-PARDEL_PROPERTY(T2,
-                inserting_points_that_encroach_on_no_constrained_edge_of_their_cavities_keeps_the_circumradius_bound,
-                {.statement = "Insert points into a constrained Delaunay mesh one after the other. If no point "
-                              "encroaches upon a constrained edge or hull edge of the boundary of its cavity, except "
-                              "an edge that it splits, the largest circumradius never grows.",
-                 .source = "THEORY.md, T2",
-                 .families = scene_kinds}) {
+PARDEL_PROPERTY(
+    T2, inserting_points_that_encroach_on_no_constrained_edge_of_their_cavities_keeps_the_circumradius_bound,
+    {.statement = "Insert points into a constrained Delaunay mesh one after the other. If no point "
+                  "lies strictly inside the diametral circle of a constrained edge or hull edge of the "
+                  "boundary of its cavity, except an edge that it splits, the largest circumradius never grows.",
+     .source = "THEORY.md, T2",
+     .families = scene_kinds}) {
   the_bound_is_kept(exhibit, true);
 }
 
@@ -147,7 +197,7 @@ std::optional<double> growth_by_encroaching(bool walls, Facts& facts) {
     for (const Point& p : given.scene.insertions) {
       const std::vector<Replacement> made = replacements(given.mesh, ref::exact(p));
       const bool only_upon_this_kind = std::all_of(made.begin(), made.end(), [&](const Replacement& r) {
-        return r.beyond || !r.encroaches || given.mesh.constraints.contains(ref::edge(r.a, r.b)) == walls;
+        return !r.is_excluded() || given.mesh.constraints.contains(ref::edge(r.a, r.b)) == walls;
       });
       ref::PlainMesh mesh = given.mesh;
       ref::insert(mesh, ref::exact(p));

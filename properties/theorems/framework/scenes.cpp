@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <ostream>
 
 #include "../../../core/support/enum_names.hpp"
@@ -59,7 +60,8 @@ class Positions {
     if (earlier != nullptr) kinds.push_back(Kind::facing_an_earlier_one);
     if (!scene_.scene.walls.empty()) kinds.push_back(Kind::near_a_wall);
     if (!scene_.scene.holes.empty()) kinds.insert(kinds.end(), 6, Kind::near_a_carved_part);
-    if (!scene_.scene.walls.empty() && spec.on_walls) kinds.push_back(Kind::on_a_wall);
+    if (!scene_.scene.walls.empty() && spec.on_walls)
+      kinds.insert(kinds.end(), spec.mostly_on_walls ? kinds.size() : 1, Kind::on_a_wall);
     const Kind kind = random_.one_of(kinds);
     family = kind_names[kind];
     switch (kind) {
@@ -80,7 +82,7 @@ class Positions {
       case Kind::near_a_carved_part:
         return moved(middle_of_a_carved_edge(), 3);
       case Kind::on_a_wall:
-        return middle_of_a_wall();
+        return spec.mostly_on_walls ? inside_a_wall() : middle_of_a_wall();
     }
     return {};
   }
@@ -116,6 +118,15 @@ class Positions {
   Point middle_of_a_wall() {
     const ref::Edge wall = random_.one_of(scene_.scene.walls);
     return middle(points_[wall[0]], points_[wall[1]]);
+  }
+
+  /// One of the positions inside a wall whose coordinates are multiples of 1/2. The middle is always one of them.
+  Point inside_a_wall() {
+    const ref::Edge wall = random_.one_of(scene_.scene.walls);
+    const Point a = points_[wall[0]], b = points_[wall[1]];
+    const int dx = static_cast<int>(2 * (b.x - a.x)), dy = static_cast<int>(2 * (b.y - a.y)), steps = std::gcd(dx, dy);
+    const double share = random_.between(1, steps - 1) / (2.0 * steps);
+    return {a.x + dx * share, a.y + dy * share};
   }
 
   /// The middle of an edge of the border with parts of the mesh beyond its line; of a wall, if there is none.
@@ -195,8 +206,9 @@ bool may_encroach(const MeshedScene& meshed, const SceneSpec& spec, Point at) {
   if (spec.encroaching || meshed.mesh.constraints.empty()) return true;
   const ref::ExactPoint p = ref::exact(at);
   return std::ranges::none_of(ref::boundary(meshed.mesh, ref::cavity(meshed.mesh, p)), [&](const ref::Edge& e) {
-    return meshed.mesh.constraints.contains(ref::edge(e[0], e[1])) &&
-           ref::encroaches(p, meshed.mesh.points[e[0]], meshed.mesh.points[e[1]]);
+    const ref::ExactPoint &a = meshed.mesh.points[e[0]], &b = meshed.mesh.points[e[1]];
+    return meshed.mesh.constraints.contains(ref::edge(e[0], e[1])) && !CGAL::collinear(a, p, b) &&
+           ref::encroaches(p, a, b);
   });
 }
 

@@ -26,7 +26,9 @@ struct SceneSpec {
   double least = 0;     ///< |pq| ≥ least · r̄ for every two insertions
   double most = std::numeric_limits<double>::infinity();  ///< |pq| < most · r̄ for each insertion p and an earlier q
   bool on_walls = false;                                  ///< may an insertion lie on a wall, which it splits?
-  bool encroaching = true;  ///< may an insertion encroach upon a wall on the boundary of its cavity?
+  bool mostly_on_walls = false;  ///< is every second position tried on a wall, anywhere between its ends?
+  bool encroaching =
+      true;  ///< may an insertion encroach upon a wall on the boundary of its cavity that it does not split?
 };
 
 /// Names of families: exactly one "points: …", any number of "walls: …", and one "inserted: …" for each insertion.

@@ -4,6 +4,7 @@
 
 #include "../../../ref/independent.hpp"
 #include "../../../ref/insertion.hpp"
+#include "../framework/on_walls.hpp"
 #include "../framework/property.hpp"
 #include "../framework/scene_carving.hpp"
 #include "../framework/shares.hpp"
@@ -16,11 +17,13 @@ constexpr const char* near_and_far =
     "pairs below 2.5 r̄ and at any distance; all layouts of points; hulls, hulls with walls, carved domains with "
     "holes; degenerate positions";
 
-/// A scene with insertions at any distance. In half of the scenes each insertion is near an earlier one.
+/// A scene with insertions at any distance. In half of the scenes each insertion is near an earlier one; in half of
+/// them every second insertion lies on a wall.
 MeshedScene at_any_distance(int insertions, int more) {
   SceneSpec spec = in_any_domain({.insertions = insertions, .more = more});
   const bool near = *rc::gen::arbitrary<bool>();
   spec.on_walls = true;
+  spec.mostly_on_walls = *rc::gen::arbitrary<bool>().as("many insertions on walls");
   if (near) spec.most = 2.5;
   return *scenes(spec);
 }
@@ -82,6 +85,7 @@ PARDEL_PROPERTY(
   classify_outline(scene, scene.scene.insertions, 1);
   const auto points = insertions_of(scene.scene);
   tag_contact(scene, points[0], points[1]);
+  classify_on_walls(scene.mesh, points, {.two = 6});
   const bool independent = ref::are_independent(scene.mesh, points[0], points[1]);
   const Outcomes made = outcomes(scene.mesh, points);
   RC_ASSERT(is_conformal_and_delaunay(made.at_once) == independent);
@@ -122,6 +126,7 @@ PARDEL_PROPERTY(T1Iff, a_set_of_points_is_independent_iff_every_two_of_them_are,
   tag_families(scene);
   classify_outline(scene, scene.scene.insertions, 1);
   const auto points = insertions_of(scene.scene);
+  classify_on_walls(scene.mesh, points, {.two = 6});
   const bool independent = are_pairwise_independent(scene.mesh, points);
   classify(independent, "independent", 8);
   const Outcomes made = outcomes(scene.mesh, points);

@@ -8,6 +8,7 @@
 
 #include "../../../ref/independent.hpp"
 #include "../../../ref/insertion.hpp"
+#include "../framework/on_walls.hpp"
 #include "../framework/property.hpp"
 #include "../framework/scene_carving.hpp"
 #include "../framework/shares.hpp"
@@ -18,12 +19,13 @@ namespace pardel::properties {
 namespace {
 
 constexpr const char* two_to_four =
-    "pairs at 2 to 4 r̄; all layouts; hulls, hulls with walls, carved domains with holes; degenerate positions";
+    "pairs at 2 to 4 r̄; all layouts; hulls, hulls with walls, carved domains with holes; degenerate positions; points "
+    "on walls";
 
 MeshedScene two_apart(const SceneSpec& otherwise) {
   SceneSpec spec = in_any_domain(otherwise);
   spec.least = 2;
-  spec.on_walls = true;
+  spec.on_walls = spec.mostly_on_walls = true;
   return *scenes(spec);
 }
 
@@ -43,7 +45,9 @@ PARDEL_PROPERTY(T1Sharp, at_two_circumradii_independent_insertion_is_insertion_i
   tag_families(scene);
   classify_outline(scene, scene.scene.insertions, 1);
   const auto points = insertions_of(scene.scene);
+  classify_on_walls(scene.mesh, points, {.two = 6});
   RC_TAG(name(contact(scene.mesh, points[0], points[1])));
+  classify(separation(scene) < 2.2, "less than 2.2 circumradii apart", 5);
   classify(encroaches_on_its_cavity(scene), "encroaching upon a wall of its cavity", 9);
   RC_ASSERT(contact(scene.mesh, points[0], points[1]) != Contact::triangle);
   RC_ASSERT(ref::are_independent(scene.mesh, points[0], points[1]));
@@ -63,6 +67,7 @@ PARDEL_PROPERTY(T1Sharp, any_number_of_points_two_circumradii_apart_may_be_inser
   exhibit.show(scene.scene);
   tag_families(scene);
   classify_outline(scene, scene.scene.insertions, 1);
+  classify_on_walls(scene.mesh, insertions_of(scene.scene), {.two = 6});
   RC_TAG(std::to_string(scene.scene.insertions.size()) + " insertions");
   const Outcomes made = outcomes(scene.mesh, insertions_of(scene.scene));
   RC_ASSERT(is_conformal_and_delaunay(made.at_once));
@@ -77,6 +82,7 @@ PARDEL_PROPERTY(T1Sharp, an_insertion_does_not_change_the_cavity_of_a_point_two_
   const MeshedScene scene = two_apart({.most = 4});
   exhibit.show(scene.scene);
   const auto points = insertions_of(scene.scene);
+  classify_on_walls(scene.mesh, points, {.two = 6});
   const auto cavity_of_q = [&](const ref::PlainMesh& mesh) {
     ref::PlainMesh only{mesh.points, {}, {}};
     for (const Index t : ref::cavity(mesh, points[1])) only.triangles.push_back(mesh.triangles[t]);
@@ -102,7 +108,7 @@ PARDEL_PROPERTY(
      .source = "properties/THEORY.md, T1-sharp",
      .families = "pairs below 2 r̄; all layouts; hulls, hulls with walls, carved domains with holes; degenerate "
                  "positions"}) {
-  const MeshedScene scene = *scenes(in_any_domain({.most = 2, .on_walls = true}));
+  const MeshedScene scene = *scenes(in_any_domain({.most = 2, .on_walls = true, .mostly_on_walls = true}));
   exhibit.show(scene.scene);
   tag_families(scene);
   classify_outline(scene, scene.scene.insertions, 1);
@@ -110,7 +116,9 @@ PARDEL_PROPERTY(
   const ref::Number bound =
       std::max(squared_radius_of_cavity(scene.mesh, points[0]), squared_radius_of_cavity(scene.mesh, points[1]));
   const bool far_enough = CGAL::squared_distance(points[0], points[1]) >= 4 * bound;
+  const auto splits = [&](const ref::ExactPoint& p) { return split_edge_at(scene.mesh, p).is_wall; };
   classify(far_enough, "at least 2 R apart", 9);
+  classify(far_enough && splits(points[0]) && splits(points[1]), "at least 2 R apart, and both split walls", 1);
   classify(far_enough && contact(scene.mesh, points[0], points[1]) == Contact::edge,
            "at least 2 R apart, with a common edge", 0.5);
   if (far_enough) RC_ASSERT(ref::are_independent(scene.mesh, points[0], points[1]));
