@@ -18,6 +18,11 @@ using ref::Number;
 /// The square of the largest factor at an angle θ, from cos² θ in (0, 1).
 Number squared_factor(const Number& squared_cosine) { return (4 / squared_cosine - 3) / (4 / squared_cosine - 4); }
 
+/// The same for a point that divides ab at `share` of its length: 1 + (1 - λ)² cot² θ.
+Number squared_factor(const Number& squared_cosine, const Number& share) {
+  return 1 + (1 - share) * (1 - share) * squared_cosine / (1 - squared_cosine);
+}
+
 /// cos² of the angle at a between ab and ax.
 Number squared_cosine(const ExactPoint& a, const ExactPoint& b, const ExactPoint& x) {
   const auto u = b - a, v = x - a;
@@ -93,19 +98,20 @@ PARDEL_FACT(T2Corner, a_search_for_the_worst_corner_finds_the_factors_of_the_for
 }
 
 /// Two segments from point 0 to points 1 and 2, and other points; no point encroaches upon a segment. The insertion is
-/// the midpoint of the first segment.
-Scene some_corner(Random& random, int size) {
+/// `part` eighths of the way from point 0 to point 1.
+Scene some_corner_split_at(Random& random, int size, int part) {
   const auto any = [&](int most) {
     return Point{static_cast<double>(random.between(-most, most)), static_cast<double>(random.between(-most, most))};
   };
   const auto dot = [](Point u, Point v) { return u.x * v.x + u.y * v.y; };
   const auto encroaches = [&](Point p, Point b) { return dot({p.x - b.x, p.y - b.y}, p) <= 0; };
+  const bool halves = part == 4;
   Scene scene;
   for (;;) {
-    const Point u = any(12), b{2 * u.x, 2 * u.y};
+    const Point u = any(halves ? 12 : 3), b = halves ? Point{2 * u.x, 2 * u.y} : Point{8 * u.x, 8 * u.y};
     const Point x = random.chance(2) ? any(24) : Point{b.x + random.between(-6, 6), b.y + random.between(-6, 6)};
     if (b.x * x.y == b.y * x.x || dot(b, x) <= 0 || encroaches(b, x) || encroaches(x, b)) continue;
-    scene = {{{0, 0}, b, x}, {{0, 1}, {0, 2}}, {u}};
+    scene = {{{0, 0}, b, x}, {{0, 1}, {0, 2}}, {halves ? u : Point{part * u.x, part * u.y}}};
     break;
   }
   // Points of a frame around the segments. Its edges are so short that the insertion does not encroach upon them.
@@ -120,6 +126,19 @@ Scene some_corner(Random& random, int size) {
   return scene;
 }
 
+Scene some_corner(Random& random, int size) { return some_corner_split_at(random, size, 4); }
+
+/// The two segments with x close to the perpendicular of ab in b, where the circumradius grows most, and nothing else.
+Scene worst_corner_split_at(Random& random, int part) {
+  const int u = random.between(20, 60), x = random.between(2, 12);  // the angle is about arctan(x / 8)
+  const double b = 8.0 * u, nudge = random.between(1, 8);
+  Scene scene{{{0, 0}, {b, 0}, {b - nudge, std::round(b * x / 8)}}, {{0, 1}, {0, 2}}, {{1.0 * part * u, 0}}};
+  if (random.chance(2))
+    for (Point& p : scene.points) std::swap(p.x, p.y);
+  if (scene.points[1].x == 0) std::swap(scene.insertions[0].x, scene.insertions[0].y);
+  return scene;
+}
+
 std::vector<Scene> without_one_point(const Scene& scene) {
   std::vector<Scene> simpler;
   for (std::size_t k = 19; k < scene.points.size(); ++k) {
@@ -129,16 +148,10 @@ std::vector<Scene> without_one_point(const Scene& scene) {
   return simpler;
 }
 
-PARDEL_PROPERTY(
-    T2Corner, a_midpoint_raises_the_circumradius_at_the_other_segment_at_most_by_the_factor,
-    {.statement = "Segments ab and ax meet at an angle θ < 90°, c = cos θ, and no vertex encroaches upon them. The "
-                  "midpoint m of ab encroaches upon no constrained edge other than ax. In any mesh, inserting m "
-                  "multiplies the circumradius of the triangle on ax by at most sqrt((4/c² - 3) / (4/c² - 4)). If m "
-                  "does not encroach upon ax, this circumradius does not grow.",
-     .source = "THEORY.md, T2-corner",
-     .families = "two segments at a random angle among up to 32 lattice points; points in general and in "
-                 "cocircular position"}) {
-  const Scene scene = *generators::generator(some_corner, without_one_point).as("scene");
+/// The insertion of the scene lies `part` eighths of the way from point 0 to point 1.
+template <class Make>
+void growth_is_bounded(Exhibit& exhibit, const Make& make, int part) {
+  const Scene scene = *generators::generator(make, without_one_point).as("scene");
   exhibit.show(scene);
   const ref::PlainMesh before = mesh_of(scene);
   ref::PlainMesh after = before;
@@ -150,12 +163,43 @@ PARDEL_PROPERTY(
   const Number old = squared_circumradius_left_of(before, from, to).value();
   const Number now = squared_circumradius_left_of(after, from, to).value();
   const bool encroaches = ref::encroaches(ref::exact(scene.insertions[0]), p[0], p[2]);
-  classify(encroaches, "m encroaches upon ax", 25);
+  const Number factor = squared_factor(squared_cosine(p[0], p[1], p[2]), Number(part) / 8);
+  classify(encroaches, "the point encroaches upon ax", 25);
   classify(now > old, "the circumradius grows", 15);
+  classify(now > old && now > Number(0.9604) * factor * old, "it grows by more than 0.98 of the factor", 10);
   if (encroaches)
-    RC_ASSERT(now <= old * squared_factor(squared_cosine(p[0], p[1], p[2])));
+    RC_ASSERT(now <= old * factor);
   else
     RC_ASSERT(now <= old);
+}
+
+PARDEL_PROPERTY(
+    T2Corner, a_midpoint_raises_the_circumradius_at_the_other_segment_at_most_by_the_factor,
+    {.statement = "Segments ab and ax meet at an angle θ < 90°, c = cos θ, and no vertex encroaches upon them. The "
+                  "midpoint m of ab encroaches upon no constrained edge other than ax. In any mesh, inserting m "
+                  "multiplies the circumradius of the triangle on ax by at most sqrt((4/c² - 3) / (4/c² - 4)). If m "
+                  "does not encroach upon ax, this circumradius does not grow.",
+     .source = "THEORY.md, T2-corner",
+     .families = "two segments at a random angle among up to 32 lattice points; points in general and in "
+                 "cocircular position"}) {
+  growth_is_bounded(exhibit, some_corner, 4);
+}
+
+PARDEL_PROPERTY(
+    T2Corner, a_split_point_anywhere_raises_the_circumradius_at_most_by_the_factor_of_its_place,
+    {.statement = "As above, for a point p with |ap| = λ |ab|, such as a point on a shell. The factor is sqrt(1 + (1 - "
+                  "λ)² cot² θ): for shells, 1/3 ≤ λ ≤ 2/3, at most sqrt(1 + (4/9) cot² θ).",
+     .source = "THEORY.md, T2-corner",
+     .families = "λ = 1/8, ..., 7/8; two segments at a random angle among up to 32 lattice points; two segments alone "
+                 "whose ends are nearly in the worst position, at 14 to 56 degrees"}) {
+  const int part = *rc::gen::inRange(1, 8).as("eighths of ab");
+  const bool is_worst = *rc::gen::arbitrary<bool>().as("nearly the worst position");
+  growth_is_bounded(
+      exhibit,
+      [=](Random& random, int size) {
+        return is_worst ? worst_corner_split_at(random, part) : some_corner_split_at(random, size, part);
+      },
+      part);
 }
 
 PARDEL_FACT(T2Corner, t2_fails_for_a_split_point_that_encroaches_upon_another_segment,
