@@ -66,10 +66,32 @@ std::vector<Point> some_points(Random& random, const MeshedScene& given, const B
 
 using Regions = std::array<Box, 2>;
 
+/// A box beside the middle of a wall, and one on the other side.
+Regions beside_a_wall(Random& random, const Scene& scene) {
+  const ref::Edge wall = random.one_of(scene.walls);
+  const Point a = scene.points[wall[0]], b = scene.points[wall[1]];
+  const double length = std::hypot(b.x - a.x, b.y - a.y);
+  const auto box = [&](int side) {
+    const double away = side * random.between(2, 5), half = random.between(0, 2);
+    const Point at{std::round((a.x + b.x) / 2 - away * (b.y - a.y) / length),
+                   std::round((a.y + b.y) / 2 + away * (b.x - a.x) / length)};
+    return Box{{at.x - half, at.y - half}, {at.x + half, at.y + half}};
+  };
+  const Box left = box(1), right = box(-1);
+  return {left, right};
+}
+
 /// Searches for two boxes with corners in the mesh that satisfy the hypothesis `how`, from large boxes to small ones.
 /// If the mesh is not convex, parts of a box may lie outside the mesh; the theorem then holds for the rest of the box.
 std::optional<Regions> regions_apart(Random& random, const MeshedScene& given, Apart how) {
   const ref::PlainMesh& mesh = given.mesh;
+  for (int trial = 0; how == Apart::free_edges_in_sight && trial < 6 && !given.scene.walls.empty(); ++trial) {
+    if (random.chance(3)) break;
+    const Regions both = beside_a_wall(random, given.scene);
+    if (corners_lie_in(mesh, both[0]) && corners_lie_in(mesh, both[1]) &&
+        are_apart(mesh, reach(mesh, both[0], how), reach(mesh, both[1], how), how))
+      return both;
+  }
   int side = 16;
   const auto box_in_mesh = [&]() -> std::optional<Box> {
     for (int trial = 0; trial < 40; ++trial)
@@ -105,6 +127,23 @@ Given some_scene(bool walls) {
   return {std::move(scene), Random(seed), most};
 }
 
+bool have_common_vertex(const ref::PlainMesh& mesh, const std::vector<Index>& one, const std::vector<Index>& two) {
+  const std::set<Index> of_one = ref::closure(mesh, one), of_two = ref::closure(mesh, two);
+  return std::ranges::any_of(of_one, [&](Index v) { return of_two.contains(v); });
+}
+
+/// Is some constrained edge a side of a triangle of each of two sets without a common triangle?
+bool have_common_wall(const ref::PlainMesh& mesh, const std::vector<Index>& one, const std::vector<Index>& two) {
+  const auto has_side = [&](const std::vector<Index>& triangles, const ref::Edge& e) {
+    return std::ranges::any_of(triangles, [&](Index t) {
+      return ref::edge_of(mesh.triangles[t], 0) == e || ref::edge_of(mesh.triangles[t], 1) == e ||
+             ref::edge_of(mesh.triangles[t], 2) == e;
+    });
+  };
+  return std::ranges::any_of(mesh.constraints,
+                             [&](const ref::Edge& e) { return has_side(one, e) && has_side(two, e); });
+}
+
 void tasks_apart_give_one_mesh(Exhibit& exhibit, bool walls, Apart how) {
   Given given = some_scene(walls);
   const ref::PlainMesh& mesh = given.meshed.mesh;
@@ -131,6 +170,10 @@ void tasks_apart_give_one_mesh(Exhibit& exhibit, bool walls, Apart how) {
   const bool meet = !are_apart(mesh, ref::in_reach_of(mesh, (*regions)[0]), ref::in_reach_of(mesh, (*regions)[1]),
                                Apart::vertices_of_disks);
   classify(meet, "V(L) and V(L') of whole disks meet", 12);
+  if (how != Apart::free_edges_in_sight) return;
+  const std::vector<Index> one = reach(mesh, (*regions)[0], how), two = reach(mesh, (*regions)[1], how);
+  classify(have_common_vertex(mesh, one, two), "K(L) and K(L') have a common vertex", 15);
+  classify(have_common_wall(mesh, one, two), "K(L) and K(L') lie on both sides of a constrained edge", 12);
 }
 
 constexpr const char* region_kinds =
