@@ -27,6 +27,7 @@ PARDEL_PROPERTY(
      .source = "[CC], the uniform lattice; properties/THEORY.md, Lattice (e)",
      .families = channel_families}) {
   const RefinedChannel rounds = refined_channel(exhibit);
+  classify_inner_cells(rounds.result);
   const auto seed = *rc::gen::noShrink(rc::gen::arbitrary<std::uint64_t>()).as("seed of the order");
   const ref::Turns turns = *rc::gen::arbitrary<bool>() ? in_random_order(seed) : interleaved_at_random(seed);
   const ref::LatticeRefinement other = refined_in_turns(rounds.channel, turns);
@@ -57,6 +58,7 @@ PARDEL_PROPERTY(
   const Channel channel = some_channel(exhibit);
   const ref::LatticeRefinement refined = refined_in_turns(channel, ref::one_after_the_other);
   exhibit.show(to_pslg(channel), refined.mesh);
+  classify_inner_cells(refined);
   bool is_near_the_margin = false, is_handed_on = false;
   for_each_phase(refined, [&](const LatticeSweep& sweep, const ref::Phase& phase, const auto&) {
     const auto& [corner, side] = sweep.cells;

@@ -1,6 +1,6 @@
 // Channels: domains for the lattice refiner. They are so long and narrow that even a small mesh covers many cells.
-// Coordinates are integers. No two segments meet at less than 60 degrees, because Ruppert's proof does not cover
-// smaller angles.
+// Blocks are square and have so many points that some cell has all eight neighbours. Coordinates are integers. No two
+// segments meet at less than 60 degrees, because Ruppert's proof does not cover smaller angles.
 #pragma once
 
 #include <array>
@@ -21,11 +21,15 @@ enum class Shape : std::uint8_t {
   bend,   ///< an L
   ring,   ///< around a square hole
   slant,  ///< a short parallelogram with corners of 63 degrees; a split there may raise the largest circumradius
+  block,  ///< a square piece of a triangular lattice of points
 };
 
 inline const char* name(Shape shape) {
-  constexpr auto names =
-      enum_names<Shape>({{Shape::bar, "bar"}, {Shape::bend, "bend"}, {Shape::ring, "ring"}, {Shape::slant, "slant"}});
+  constexpr auto names = enum_names<Shape>({{Shape::bar, "bar"},
+                                            {Shape::bend, "bend"},
+                                            {Shape::ring, "ring"},
+                                            {Shape::slant, "slant"},
+                                            {Shape::block, "block"}});
   return names[shape];
 }
 
@@ -36,6 +40,7 @@ struct Channel {
   std::array<Point, 8> nudges{};  ///< added to the corners; each coordinate is -1, 0 or 1
   bool has_wall = false;          ///< a wall across a bar; the area bound is halved on its right
   bool has_crack = false;         ///< a segment of one width along the middle that touches no other segment
+  std::uint64_t seed = 0;         ///< moves the inner points of a block by up to 1; 0: none is moved
   double max_area = 8;            ///< the area bound of the goal
   double coarse_area = 16;        ///< the area bound of the preprocessing
 };
@@ -55,7 +60,30 @@ inline void add_polygon(Pslg& pslg, std::vector<Point> corners, const Channel& c
   }
 }
 
+/// Nearly equilateral triangles with sides of 8; the outline goes from point to point.
+[[nodiscard]] inline Pslg block(const Channel& channel) {
+  constexpr Index columns = 7, rows = 9;
+  generators::Random random(channel.seed);
+  Pslg pslg;
+  for (Index j = 0; j < rows; ++j)
+    for (Index i = 0; i < columns; ++i) {
+      const bool is_inner = i > 0 && i + 1 < columns && j > 0 && j + 1 < rows && channel.seed != 0;
+      const double dx = is_inner ? random.between(-1, 1) : 0, dy = is_inner ? random.between(-1, 1) : 0;
+      pslg.points.push_back({8.0 * i + 4.0 * (j % 2) + dx, 7.0 * j + dy});
+    }
+  for (Index i = 1; i < columns; ++i) {
+    pslg.segments.push_back({i - 1, i});
+    pslg.segments.push_back({(rows - 1) * columns + i - 1, (rows - 1) * columns + i});
+  }
+  for (Index j = 1; j < rows; ++j) {
+    pslg.segments.push_back({(j - 1) * columns, j * columns});
+    pslg.segments.push_back({j * columns - 1, (j + 1) * columns - 1});
+  }
+  return pslg;
+}
+
 [[nodiscard]] inline Pslg to_pslg(const Channel& channel) {
+  if (channel.shape == Shape::block) return block(channel);
   const double w = channel.width, l = channel.width * channel.length;
   Pslg pslg;
   if (channel.shape == Shape::bend) {
@@ -113,6 +141,8 @@ inline void add_polygon(Pslg& pslg, std::vector<Point> corners, const Channel& c
     case Shape::slant:
       channel.length = random.between(1, 3);
       break;
+    case Shape::block:
+      break;
   }
   channel.has_wall = channel.shape == Shape::bar && random.chance(2);
   channel.has_crack = channel.shape != Shape::slant && random.chance(4);
@@ -125,6 +155,19 @@ inline void add_polygon(Pslg& pslg, std::vector<Point> corners, const Channel& c
   return ref::unsupported(to_pslg(channel), goal_of(channel)) ? straight : channel;
 }
 
+/// A block whose triangles, of about 28 units, need no preprocessing. The goal divides some of them.
+[[nodiscard]] inline Channel random_block(generators::Random& random) {
+  Channel channel;
+  channel.shape = Shape::block;
+  channel.seed = 1 + random.below(1'000'000);
+  channel.coarse_area = 48;
+  channel.max_area = random.between(22, 26);
+  return channel;
+}
+[[nodiscard]] inline Channel random_channel_or_block(generators::Random& random, int size) {
+  return random.chance(14) ? random_block(random) : random_channel(random, size);
+}
+
 /// Simpler channels: first with fewer features, then shorter, then with larger triangles.
 [[nodiscard]] inline std::vector<Channel> simpler(const Channel& channel) {
   std::vector<Channel> all;
@@ -133,6 +176,11 @@ inline void add_polygon(Pslg& pslg, std::vector<Point> corners, const Channel& c
     change(changed);
     if (!ref::unsupported(to_pslg(changed), goal_of(changed))) all.push_back(changed);
   };
+  if (channel.shape == Shape::block) {
+    if (channel.seed > 0) offer([](Channel& c) { c.seed = 0; });
+    if (channel.max_area < 28) offer([](Channel& c) { ++c.max_area; });
+    return all;
+  }
   if (channel.shape == Shape::bend || channel.shape == Shape::ring) offer([](Channel& c) { c.shape = Shape::bar; });
   if (channel.has_wall) offer([](Channel& c) { c.has_wall = false; });
   if (channel.has_crack) offer([](Channel& c) { c.has_crack = false; });

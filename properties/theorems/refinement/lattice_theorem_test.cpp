@@ -79,6 +79,7 @@ PARDEL_PROPERTY(
                "again",
      .families = channel_families}) {
   const RefinedChannel refined = refined_channel(exhibit);
+  classify_inner_cells(refined.result);
   bool was_outgrown = false;
   for_each_phase(refined.result, [&](const LatticeSweep& sweep, const ref::Phase& phase, const PlainMesh& before) {
     was_outgrown |= sweep.phases.size() < 4;
@@ -130,6 +131,7 @@ PARDEL_PROPERTY(
      .source = "[CC], Theorem 1 and the uniform lattice",
      .families = channel_families}) {
   const RefinedChannel refined = refined_channel(exhibit);
+  classify_inner_cells(refined.result);
   std::size_t cells_at_once = 0;
   for_each_phase(refined.result, [&](const LatticeSweep&, const ref::Phase& phase, const PlainMesh& before) {
     RC_ASSERT(is_complete(phase, before));
@@ -206,6 +208,7 @@ PARDEL_PROPERTY(
      .source = "[CC], Theorem 1",
      .families = channel_families}) {
   const RefinedChannel refined = refined_channel(exhibit);
+  classify_inner_cells(refined.result);
   Random random(*rc::gen::arbitrary<std::uint64_t>());
   for_each_phase(refined.result, [&](const LatticeSweep&, const ref::Phase& phase, const PlainMesh& before) {
     PlainMesh mesh = before;
@@ -222,6 +225,7 @@ PARDEL_PROPERTY(
      .source = "[CC]; Ruppert 1995",
      .families = channel_families}) {
   const RefinedChannel refined = refined_channel(exhibit);
+  classify_inner_cells(refined.result);
   const PlainMesh& mesh = refined.result.sweeps.back().phases.back().after;
   RC_ASSERT(is_conformal(mesh));
   RC_ASSERT(is_delaunay(mesh));
@@ -240,6 +244,7 @@ PARDEL_PROPERTY(
      .source = "[CC] has four iterations; here sweeps are repeated, and their number is measured",
      .families = channel_families}) {
   const RefinedChannel refined = refined_channel(exhibit);
+  classify_inner_cells(refined.result);
   std::set<ExactPoint> waiting, handed_on;
   for_each_phase(refined.result, [&](const LatticeSweep& sweep, const ref::Phase& phase, const PlainMesh&) {
     for (const ref::HandedOn& handed : phase.handed_on) {

@@ -3,18 +3,22 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 
 #include "../../../ref/decomposition/cell_refiner.hpp"
 #include "../framework/property.hpp"
 #include "../framework/rapidcheck_generators.hpp"
+#include "../framework/shares.hpp"
 #include "channels.hpp"
 
 namespace pardel::properties {
 
 inline constexpr const char* channel_families =
-    "channels: bars, bends, rings and slants, with walls, cracks, area caps and moved corners";
+    "channels: bars, bends, rings and slants, with walls, cracks, area caps and moved corners; blocks of three by "
+    "three "
+    "cells and more";
 
 using LatticeSweep = ref::Sweep<ref::Lattice>;
 
@@ -28,7 +32,7 @@ struct RefinedChannel {
 
 inline Channel some_channel(Exhibit& exhibit) {
   const auto simpler_channels = [](const Channel& c) { return simpler(c); };
-  const Channel channel = *generators::generator(random_channel, simpler_channels);
+  const Channel channel = *generators::generator(random_channel_or_block, simpler_channels);
   RC_TAG(std::string(name(channel.shape)));
   exhibit.show(to_pslg(channel));
   return channel;
@@ -58,6 +62,22 @@ void for_each_phase(const ref::CellRefinement<Cells>& refinement, Visit visit) {
       visit(sweep, phase, *before);
       before = &phase.after;
     }
+}
+
+/// Counts the cases with a sweep in which some cell and all its eight neighbours insert points.
+inline void classify_inner_cells(const ref::LatticeRefinement& refinement) {
+  const auto has_inner_cell = [](const LatticeSweep& sweep) {
+    std::set<ref::Cell> at_work;
+    for (const ref::Phase& phase : sweep.phases)
+      for (const ref::Insertion& insertion : phase.insertions) at_work.insert(insertion.cell);
+    return std::ranges::any_of(at_work, [&](const ref::Cell& cell) {
+      for (std::int64_t i = cell.i - 1; i <= cell.i + 1; ++i)
+        for (std::int64_t j = cell.j - 1; j <= cell.j + 1; ++j)
+          if (!at_work.contains({i, j})) return false;
+      return true;
+    });
+  };
+  classify(std::ranges::any_of(refinement.sweeps, has_inner_cell), "a cell and its eight neighbours insert points", 4);
 }
 
 /// Are the vertices of the cavities of every two cells disjoint, and also the triangles that two cells read or write?
