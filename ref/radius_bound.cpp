@@ -34,7 +34,7 @@ Number squared_growth_between(const Pslg& pslg, const Segment& s, const Segment&
 
 }  // namespace
 
-Result<Number> squared_start_bound(const Goal& goal, RadiusTheorem theorem) {
+Result<Number> squared_radius_bound(const Goal& goal, RadiusTheorem theorem) {
   const double inverse = inverse_squared_ratio(goal);
   if (!(inverse > 0) || !std::isfinite(goal.max_area))
     return Error{ErrorKind::usage, "Theorem T3 needs a bound on angles and a bound on areas."};
@@ -44,18 +44,12 @@ Result<Number> squared_start_bound(const Goal& goal, RadiusTheorem theorem) {
   return Number(root_from_above(fourth_power));
 }
 
-Number squared_growth_bound(const Pslg& pslg, const Number& squared_start) {
+Number squared_growth_bound(const Pslg& pslg, const Number& squared_bound) {
   Number growth = 1;
   for (std::size_t i = 1; i < pslg.segments.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
-      growth = std::max(growth, squared_growth_between(pslg, pslg.segments[i], pslg.segments[j], squared_start));
+      growth = std::max(growth, squared_growth_between(pslg, pslg.segments[i], pslg.segments[j], squared_bound));
   return growth;
-}
-
-Result<Number> squared_radius_bound(const Pslg& pslg, const Goal& start, RadiusTheorem theorem) {
-  const Result<Number> squared_start = squared_start_bound(start, theorem);
-  if (!squared_start) return squared_start.error();
-  return Number(*squared_start * squared_growth_bound(pslg, *squared_start));
 }
 
 }  // namespace pardel::ref

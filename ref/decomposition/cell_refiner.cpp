@@ -217,7 +217,7 @@ Result<LatticeRefinement> refine_on_lattice(const Pslg& pslg, const Goal& goal, 
 Result<LatticeRefinement> refine_on_lattice_sized_by(RadiusTheorem theorem, const Pslg& pslg, const Goal& goal,
                                                      const Goal& coarse, const Turns& turns) {
   if (auto error = unsupported(pslg, coarse)) return *error;
-  const Result<Number> squared_bound = squared_radius_bound(pslg, coarse, theorem);
+  const Result<Number> squared_bound = squared_radius_bound(coarse, theorem);
   if (!squared_bound) return squared_bound.error();
   Lattice lattice = lattice_over(pslg.points, *squared_bound);
   const auto before_a_mesh = [&](const PlainMesh&) { return lattice; };

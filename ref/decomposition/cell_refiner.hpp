@@ -88,8 +88,8 @@ using QuadtreeRefinement = CellRefinement<Quadtree>;
 [[nodiscard]] Result<LatticeRefinement> refine_on_lattice(const Pslg& pslg, const Goal& goal, const Goal& coarse,
                                                           const Turns& turns = in_rounds);
 
-/// The same on one lattice that is computed before a mesh exists, as in [CC]: r̄ is squared_radius_bound() for the goal
-/// `coarse`. Further errors: those of squared_radius_bound(), and `internal` if a circumradius exceeds r̄ after some
+/// The same on one lattice that is computed before a mesh exists, as in [CC]: r0 is squared_radius_bound() for the goal
+/// `coarse`. Further errors: those of squared_radius_bound(), and `internal` if a circumradius exceeds r0 after some
 /// phase, which would contradict THEORY.md, Lattice (f).
 [[nodiscard]] Result<LatticeRefinement> refine_on_lattice_sized_by(RadiusTheorem theorem, const Pslg& pslg,
                                                                    const Goal& goal, const Goal& coarse,

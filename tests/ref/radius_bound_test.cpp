@@ -20,7 +20,7 @@ Goal thirty_degrees_and_area_one() {
 }
 
 double at_thirty_degrees(RadiusTheorem theorem) {
-  return CGAL::to_double(*squared_start_bound(thirty_degrees_and_area_one(), theorem));
+  return CGAL::to_double(*squared_radius_bound(thirty_degrees_and_area_one(), theorem));
 }
 
 /// Two parallel segments of length 8 at the distance `gap`, and a third one at the origin in the direction (x, y).
@@ -38,7 +38,7 @@ TEST(RadiusBound, at_thirty_degrees_is_two_by_t3_and_a_little_less_by_t3_sharp) 
 
 TEST(RadiusBound, is_not_rounded_down) {
   const Goal goal = thirty_degrees_and_area_one();
-  const Number ratio = 1 / Number(inverse_squared_ratio(goal)), bound = *squared_start_bound(goal, RadiusTheorem::t3);
+  const Number ratio = 1 / Number(inverse_squared_ratio(goal)), bound = *squared_radius_bound(goal, RadiusTheorem::t3);
   EXPECT_GE(bound * bound, 16 * ratio * ratio * ratio);
 }
 
@@ -47,7 +47,7 @@ TEST(RadiusBound, needs_bounds_on_angles_and_on_areas) {
   no_areas.max_area = Goal().max_area;
   no_angles.min_angle_deg = 0;
   for (const Goal& goal : {no_areas, no_angles}) {
-    const auto bound = squared_radius_bound(domains::square(), goal, RadiusTheorem::t3);
+    const auto bound = squared_radius_bound(goal, RadiusTheorem::t3);
     ASSERT_FALSE(bound.ok());
     EXPECT_EQ(bound.error().kind, ErrorKind::usage);
   }
