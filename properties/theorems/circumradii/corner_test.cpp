@@ -166,7 +166,7 @@ void growth_is_bounded(Exhibit& exhibit, const Make& make, int part) {
   const Number factor = squared_factor(squared_cosine(p[0], p[1], p[2]), Number(part) / 8);
   classify(encroaches, "the point encroaches upon ax", 25);
   classify(now > old, "the circumradius grows", 15);
-  classify(now > old && now > Number(0.9604) * factor * old, "it grows by more than 0.98 of the factor", 10);
+  classify(now > old && now > Number(0.9604) * factor * old, "it grows by more than 0.98 of the factor", 5);
   if (encroaches)
     RC_ASSERT(now <= old * factor);
   else

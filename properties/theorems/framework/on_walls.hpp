@@ -14,9 +14,9 @@ struct SplitEdge {
 
 /// The least shares of cases, in percent, for classify_on_walls().
 struct ShareOnWalls {
-  double inside = 8;  ///< an insertion lies on a wall with triangles on both sides
+  double inside = 8;   ///< an insertion lies on a wall with triangles on both sides
   double border = 10;  ///< an insertion lies on a wall of the border
-  double two = 0;     ///< two insertions lie on walls; 0 if there is only one insertion
+  double two = 0;      ///< two insertions lie on walls; 0 if there is only one insertion
 };
 
 /// Counts the current case by the walls on which its insertions lie.
