@@ -92,7 +92,7 @@ Proof.
   assert (Area : twice_area m n p ^ 2 = h ^ 2 * d ^ 2) by (unfold h, height; fold d; field; lra).
   apply at_most_of_squares; [apply Rmult_le_pos; [|left; apply Rinv_0_lt_compat; lra]|].
   { assert (0 <= a ^ 2) by apply pow2_ge_0; lra. }
-  apply Rmult_le_reg_r with (4 * h ^ 2 * d ^ 2); [repeat apply Rmult_lt_0_compat; lra|].
+  apply Rmult_le_reg_r with (4 * h ^ 2 * d ^ 2); [apply Rmult_lt_0_compat; lra|].
   replace (r ^ 2 * (4 * h ^ 2 * d ^ 2)) with (4 * r ^ 2 * twice_area m n p ^ 2) by (rewrite Area; ring).
   rewrite F, <- D2.
   replace (d ^ 2 * square_distance n p * square_distance p m)
