@@ -1,5 +1,5 @@
 (* T2 and T2-corner of THEORY.md: the circumradius of one new triangle s = (m, n, p). *)
-From Pardel Require Import Plane Pencil.
+From Pardel Require Import Plane Pencil Lemma5.
 
 (* T2 at a free edge: t = (m, n, l) contains p in its disk, and t' = (n, m, l') does not. *)
 Theorem T2_free_edge : forall m n l l' p ot os ot' rt rs rt',

@@ -1,6 +1,6 @@
 (* Lemma 6 for cavities, and the distance parts of T1 and T1-sharp of THEORY.md. *)
 From Coq Require Import List.
-From Pardel Require Import Plane Pencil.
+From Pardel Require Import Plane Pencil Lemma5.
 
 (* A triangle of a mesh with its circumcircle. *)
 Record element : Type := Element { first : point; second : point; third : point; centre : point; radius : R }.

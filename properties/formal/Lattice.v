@@ -1,6 +1,6 @@
 (* Lattice (f) of THEORY.md: the bound on the circumradius at an encroached wall, where cells are sized before a mesh
    exists. (f) has two cases: (i) the two segments have no common point, (ii) they meet in a corner. *)
-From Pardel Require Import Plane Pencil Growth.
+From Pardel Require Import Plane Pencil Lemma5 Growth.
 
 (* The point of the segment mn at the fraction k. *)
 Definition on_segment (m n : point) (k : R) : point := (m.x + k * (n.x - m.x), m.y + k * (n.y - m.y)).
