@@ -118,6 +118,23 @@ Proof.
   - exact (One m n l l' o r o' r' T T' C C' I).
 Qed.
 
+(* The test of is_outside_circle() in the checker: d lies outside the circumcircle of (m, n, c) if the sum of the angles
+   at c and d over mn is below 180 degrees. *)
+Theorem sign_of_the_circle_test : forall m n c o r d, triangle m n c -> circumcircle m n c o r ->
+  (r < distance o d <-> 0 < twice_area m n c * dot_at d m n + dot_at c m n * - twice_area m n d).
+Proof.
+  intros m n c o r d T C; assert (D := edge_positive _ _ _ T).
+  assert (E := edge_of_circumcircle _ _ _ _ _ C); assert (R := circle_radius_nonnegative _ _ _ _ E).
+  assert (Z : power o r c = 0) by (apply power_on_circle, C).
+  assert (Pd := power_in_the_pencil m n o r d E D); rewrite (power_in_the_pencil m n o r c E D) in Z.
+  assert (K : twice_area m n c * dot_at d m n + dot_at c m n * - twice_area m n d = twice_area m n c * power o r d).
+  { rewrite Pd; replace (dot_at c m n) with (2 * height m n o * height m n c) by lra; unfold height; field; lra. }
+  rewrite K; unfold triangle in T; unfold power; rewrite <- distance_squared.
+  assert (N := distance_nonnegative o d); split; intro H.
+  - apply Rmult_lt_0_compat; [assumption|nra].
+  - assert (0 < distance o d ^ 2 - r ^ 2) by (apply Rmult_lt_reg_l with (twice_area m n c); lra). nra.
+Qed.
+
 (* Lemma 6 (reach), for one triangle: v lies on a circle, and p lies inside it. *)
 Theorem Lemma6_reach : forall o r v p, on_circle o r v -> in_disk o r p -> distance p v < 2 * r.
 Proof.
