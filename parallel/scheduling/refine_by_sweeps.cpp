@@ -32,6 +32,13 @@ bool prefers_quadtree(const Lattice& finest, const Triangulation& t, const Refin
          overload(t, job.criteria, assessor, finest, job.progress.threads()) > most_overload;
 }
 
+/// The counts of the next submesh. What was inserted into the one before, which was too small, is discarded.
+void replace(RefineCounts& counts, const RefineCounts& of_next) {
+  const std::uint64_t discarded = counts.discarded + counts.inserted + counts.segment_splits;
+  counts = of_next;
+  counts.discarded = discarded;
+}
+
 /// Takes a refinement through the levels of a decomposition: which tiles they have, and what is split on each.
 class Refinement {
  public:
@@ -146,13 +153,6 @@ class Refinement {
              }});
     sweeper_.counts().add(in_last_submesh);
     sweeper_.pending().bring_back();
-  }
-
-  /// The counts of the next submesh. What was inserted into the one before, which was too small, is discarded.
-  static void replace(RefineCounts& counts, const RefineCounts& of_next) {
-    const std::uint64_t discarded = counts.discarded + counts.inserted + counts.segment_splits;
-    counts = of_next;
-    counts.discarded = discarded;
   }
 
   /// Refines a gathered submesh as work(sweeper) does. Returns the changed triangles. On one thread: tasks on several
