@@ -21,9 +21,11 @@ struct Replacement {
   Number squared_radius;
   Number inside;                 ///< r² of the triangle of the cavity at ab
   std::optional<Number> beyond;  ///< r² of the triangle beyond ab; none if ab is constrained or on the hull
-  CGAL::Angle at_p;              ///< between a and b, seen from p; obtuse if p is strictly inside the diametral circle
+  bool encroaches;               ///< does p encroach upon ab?
+  bool is_on_circle;             ///< does p lie on the diametral circle of ab?
 
-  [[nodiscard]] bool is_excluded() const { return !beyond && at_p == CGAL::OBTUSE; }  ///< T2 says nothing about it
+  /// T2 says nothing about it: ab is constrained or on the hull, and p lies strictly inside its diametral circle.
+  [[nodiscard]] bool is_excluded() const { return !beyond && encroaches && !is_on_circle; }
 };
 
 std::vector<Replacement> replacements(const ref::PlainMesh& mesh, const ref::ExactPoint& p) {
@@ -35,7 +37,8 @@ std::vector<Replacement> replacements(const ref::PlainMesh& mesh, const ref::Exa
     const bool is_constrained = mesh.constraints.contains(ref::edge(t[0], t[1]));
     result.push_back({t[0], t[1], squared_circumradius(with_p, t), *squared_circumradius_left_of(mesh, t[0], t[1]),
                       is_constrained ? std::nullopt : squared_circumradius_left_of(mesh, t[1], t[0]),
-                      CGAL::angle(mesh.points[t[0]], p, mesh.points[t[1]])});
+                      ref::encroaches(p, mesh.points[t[0]], mesh.points[t[1]]),
+                      CGAL::angle(mesh.points[t[0]], p, mesh.points[t[1]]) == CGAL::RIGHT});
   }
   return result;
 }
@@ -48,7 +51,7 @@ bool encroaches_on_nothing(const std::vector<Replacement>& replacements) {
 
 /// Does the point lie on the diametral circle of a constrained edge or hull edge of the boundary of its cavity?
 bool is_on_a_circle(const std::vector<Replacement>& replacements) {
-  return std::ranges::any_of(replacements, [](const Replacement& r) { return !r.beyond && r.at_p == CGAL::RIGHT; });
+  return std::ranges::any_of(replacements, [](const Replacement& r) { return !r.beyond && r.is_on_circle; });
 }
 
 struct Case {
