@@ -149,6 +149,7 @@ PARDEL_PROPERTY(T2Once, one_measurement_bounds_all_circumradii_of_a_run_in_any_o
   const MeshedScene meshed = *scenes({.carved = true, .insertions = 3, .on_walls = true}).as("scene");
   exhibit.show(meshed.scene);
   tag_families(meshed);
+  RC_PRE(!meshed.mesh.constraints.empty());
   Random random(*rc::gen::arbitrary<std::uint64_t>().as("seed"));
   const Lens lens(Number(*rc::gen::inRange(24, 41).as("64 times the tangent of the bound")) / 64);
   Pslg pslg;
