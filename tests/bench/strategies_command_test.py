@@ -127,7 +127,7 @@ class Strategies(unittest.TestCase):
             code, printed = self.call(option, "moon", "--out", os.path.join(self.folder, "out"))
             self.assertEqual(code, 1)
             self.assertIn(f"there is no {what} moon", printed)
-            self.assertFalse(os.path.exists(os.path.join(self.folder, "out")))
+            self.assertEqual(os.listdir(os.path.join(self.folder, "out")), [])
 
 
 if __name__ == "__main__":
