@@ -1,0 +1,190 @@
+"""Meshes: their arrays, and what is measured on them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Mapping, Optional, Tuple
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _pardel, arrays
+from .domain import Domain
+from .errors import UsageError
+from .report import Report, report_of
+
+Indices = npt.NDArray[np.int32]
+Numbers = npt.NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Quality:
+    """Measures of a mesh. Angles in degrees, lengths in the unit of the coordinates, areas in its square."""
+
+    vertices: int
+    triangles: int
+    min_angle: float
+    max_angle: float
+    max_circumradius: float
+    area: float
+
+
+class Mesh:
+    """A triangle mesh. `mesh`, `refine`, `delaunay` and `read` make meshes, and so do arrays of any program.
+
+    points: shape (n, 2). triangles: shape (m, 3): indices of points from 0, counter-clockwise. Both are copied once.
+
+    All arrays of a mesh are read-only views on its memory, without a copy; they stay valid when the mesh is deleted.
+    Those of triangles are parts of larger records, so they are not contiguous: ``numpy.ascontiguousarray`` copies one.
+    Indices are int32; -1 means none. Raises `UsageError` for a wrong shape or dtype. An index out of range is a finding
+    of `check`; everything else then raises `InvalidInput`.
+
+    >>> square = Mesh([(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 1, 2), (0, 2, 3)])
+    >>> square.neighbors.tolist()
+    [[-1, 1, -1], [-1, -1, 0]]
+    """
+
+    def __init__(self, points: npt.ArrayLike, triangles: npt.ArrayLike) -> None:
+        corners = np.asarray(triangles)
+        if corners.size == 0:
+            corners = np.empty((0, 3), dtype=np.int64)
+        if corners.ndim != 2 or corners.shape[1] != 3:
+            raise UsageError(f"triangles has the shape {corners.shape}; (m, 3) is needed")
+        if corners.dtype.kind not in "iu":
+            raise UsageError(f"triangles has the dtype {corners.dtype}; integers are needed")
+        if corners.dtype == np.uint64:
+            corners = np.minimum(corners, np.uint64(2**32)).astype(np.int64)
+        self._core = _pardel.HeldMesh(arrays.numbers("points", points, 2), corners)
+        self._report: Optional[Mapping[str, Any]] = None
+
+    @classmethod
+    def _of(cls, core: _pardel.HeldMesh, report: Optional[Mapping[str, Any]] = None) -> Mesh:
+        mesh = cls.__new__(cls)
+        mesh._core, mesh._report = core, report
+        return mesh
+
+    @property
+    def points(self) -> Numbers:
+        """Shape (n, 2), float64. Those of the domain come first, in their order."""
+        return self._core.points
+
+    @property
+    def triangles(self) -> Indices:
+        """Shape (m, 3), int32: the corners of each triangle, counter-clockwise."""
+        return self._core.triangles
+
+    @property
+    def neighbors(self) -> Indices:
+        """Shape (m, 3), int32: the triangle across the edge opposite each corner; -1 on the boundary."""
+        return self._core.neighbors
+
+    @property
+    def edges(self) -> Indices:
+        """Shape (e, 2), int32: the ends of all edges. Computed at the first use."""
+        return self._core.edges
+
+    @property
+    def edge_markers(self) -> Indices:
+        """Shape (e,), int32: the marker of each of `edges`: that of its segment; else 1 on the boundary, 0 inside."""
+        return self._core.edge_markers
+
+    @property
+    def segments(self) -> Indices:
+        """Shape (s, 2), int32: the edges on segments of the domain, or on the convex hull where it is the domain."""
+        return self._core.segments
+
+    @property
+    def segment_markers(self) -> Indices:
+        """Shape (s,), int32: the marker of each of `segments`."""
+        return self._core.segment_markers
+
+    @property
+    def segment_ids(self) -> Indices:
+        """Shape (s,), int32: the segment of the domain on which each of `segments` lies; -1 if it is not known."""
+        return self._core.segment_ids
+
+    @property
+    def point_markers(self) -> Indices:
+        """Shape (n,), int32: given ones; else the first marker other than 0 of an edge of `segments` at the point."""
+        return self._core.point_markers
+
+    @property
+    def regions(self) -> Indices:
+        """Shape (m,), int32: an index into `region_attributes`; -1: no region. Empty if the mesh has no regions."""
+        return self._core.regions
+
+    @property
+    def region_attributes(self) -> Numbers:
+        """Shape (r,), float64: the attribute of each region."""
+        return self._core.region_attributes
+
+    @property
+    def attributes(self) -> Numbers:
+        """Shape (n, k), float64: numbers at the points, those of the domain and interpolated ones."""
+        return self._core.attributes
+
+    @property
+    def domain(self) -> Optional[Domain]:
+        """The domain that was meshed, after its repair; None if it is not known."""
+        core = self._core.domain
+        return None if core is None else Domain._of(core)
+
+    @property
+    def report(self) -> Optional[Report]:
+        """How the mesh was made; None for a mesh of arrays or of a file."""
+        return None if self._report is None else report_of(self._report)
+
+    @property
+    def digest(self) -> str:
+        """32 hexadecimal digits that do not depend on the numbering: equal for equal meshes. O(m), computed anew."""
+        return self._core.digest()
+
+    def quality(self) -> Quality:
+        """Measures of the mesh, in floating-point arithmetic, in one pass on all threads."""
+        return Quality(**self._core.statistics())
+
+    def area(self) -> float:
+        """The sum of the areas of all triangles, in the square of the unit of the coordinates."""
+        return self.quality().area
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        raise TypeError("a Mesh cannot be pickled; write it to a file, or pickle its arrays")
+
+    def __repr__(self) -> str:
+        return f"Mesh({len(self.points)} points, {len(self.triangles)} triangles)"
+
+
+def mesh_of(value: Any) -> Mesh:
+    """The mesh that an argument stands for: a `Mesh`, the path of a file, (points, triangles), or a mesh of meshio."""
+    import os
+
+    if isinstance(value, Mesh):
+        return value
+    if isinstance(value, (str, os.PathLike)):
+        read = _pardel.read(os.fspath(value))
+        if not isinstance(read, _pardel.HeldMesh):
+            raise UsageError(f"{os.fspath(value)} is a domain; a mesh is needed")
+        return Mesh._of(read)
+    if hasattr(value, "points") and hasattr(value, "cells"):
+        return _of_cells(value.points, value.cells)
+    if isinstance(value, (tuple, list)) and len(value) == 2:
+        return Mesh(value[0], value[1])
+    raise UsageError(f"a mesh is needed: a Mesh, a path, (points, triangles), or an object with points and cells; "
+                     f"this is a {type(value).__name__}")
+
+
+def _of_cells(points: Any, cells: Any) -> Mesh:
+    """The triangles of a mesh of meshio; a third coordinate is left out."""
+    blocks = cells.items() if isinstance(cells, dict) else [_type_and_data(block) for block in cells]
+    corners = [np.asarray(data)[:, :3] for kind, data in blocks if kind in ("triangle", "triangle6")]
+    unusable = sorted({kind for kind, _ in blocks} - {"triangle", "triangle6", "line", "line3", "vertex"})
+    if unusable:
+        raise UsageError(f"the mesh has cells of the type {unusable[0]}; triangles are needed")
+    if not corners:
+        raise UsageError("the mesh has no triangles")
+    places = np.asarray(points)
+    return Mesh(places[:, :2] if places.ndim == 2 else places, np.concatenate(corners))
+
+
+def _type_and_data(block: Any) -> Tuple[str, Any]:
+    return (block.type, block.data) if hasattr(block, "data") else (block[0], block[1])

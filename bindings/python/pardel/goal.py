@@ -1,0 +1,98 @@
+"""The bounds that `mesh`, `refine` and `check` have in common."""
+
+from __future__ import annotations
+
+import inspect
+import math
+from typing import Any, Callable, Optional, Tuple, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _pardel, arrays
+from ._mesh import Mesh, mesh_of
+from .errors import UsageError
+
+# Size: a number; one length per point; a mesh with one length per point of it; a function.
+Size = Union[float, npt.ArrayLike, Tuple[Any, npt.ArrayLike], Callable[..., Any]]
+
+
+def number(name: str, value: Any) -> float:
+    """A real number, with a message that names the argument."""
+    if isinstance(value, (str, bytes)):
+        raise UsageError(f"{name} is {value!r}; a number is needed")
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        raise UsageError(f"{name} is {value!r}; a number is needed") from None
+
+
+def whole(name: str, value: Any) -> int:
+    """A number of things."""
+    if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or not 0 <= int(value) < 2**31:
+        raise UsageError(f"{name} is {value!r}; an integer from 0 to 2147483647 is needed")
+    return int(value)
+
+
+def goal_of(*, min_angle: float, max_area: Optional[float], max_edge: Optional[float], size: Optional[Size],
+            grading: Optional[float], feature_size: Optional[float], conforming: bool, convex_hull: bool,
+            region_caps: bool) -> _pardel.Goal:
+    """The bounds, apart from a size that depends on the place."""
+    goal = _pardel.Goal()
+    goal.min_angle = number("min_angle", min_angle)
+    if max_area is not None:
+        goal.max_area = number("max_area", max_area)
+    if max_edge is not None:
+        goal.max_edge = number("max_edge", max_edge)
+    if is_number(size):
+        length = number("size", size)
+        if not length > 0:
+            raise UsageError(f"size is {length}; a number greater than 0 is needed")
+        goal.max_edge = min(goal.max_edge, length)
+    if grading is not None:
+        goal.grading = number("grading", grading)
+    if feature_size is not None:
+        goal.feature_edges = number("feature_size", feature_size)
+    goal.conforming, goal.convex_hull, goal.region_caps = bool(conforming), bool(convex_hull), region_caps
+    return goal
+
+
+def has_caps(domain: Any) -> bool:
+    """True if a region of the domain has a largest area."""
+    return bool(np.isfinite(domain.regions[:, 3]).any())
+
+
+def is_number(size: Any) -> bool:
+    return isinstance(size, (int, float, np.number)) or (isinstance(size, np.ndarray) and size.ndim == 0)
+
+
+def sizes_of(size: Optional[Size], points: int, mesh: Optional[Mesh] = None) -> _pardel.Sizes:
+    """A size that depends on the place. `points`: their number; `mesh`: the mesh to which they belong, if any."""
+    if size is None or is_number(size):
+        return _pardel.Sizes()
+    if callable(size):
+        return _pardel.Sizes.of_function(size, _takes_numbers(size))
+    if isinstance(size, tuple) and len(size) == 2 and not is_number(size[0]):
+        background = mesh_of(size[0])
+        return _pardel.Sizes.on_mesh(background._core, _lengths(size[1], len(background.points)))
+    lengths = _lengths(size, points)
+    return _pardel.Sizes.at_points(lengths) if mesh is None else _pardel.Sizes.on_mesh(mesh._core, lengths)
+
+
+def _lengths(value: Any, count: int) -> arrays.Numbers:
+    lengths = arrays.one_per("size", value, count, "point")
+    wrong = np.flatnonzero(~((lengths > 0) & (lengths < math.inf)))
+    if wrong.size:
+        raise UsageError(f"size[{wrong[0]}] is {lengths[wrong[0]]}; a finite number greater than 0 is needed")
+    return lengths
+
+
+def _takes_numbers(function: Callable[..., Any]) -> bool:
+    """True for a function of x and y; False for a function of an array of places."""
+    try:
+        parameters = inspect.signature(function).parameters.values()
+    except (TypeError, ValueError):  # a builtin function
+        return False
+    needed = [p for p in parameters
+              if p.kind in (p.POSITIONAL_ONLY, p.POSITIONAL_OR_KEYWORD) and p.default is p.empty]
+    return len(needed) == 2

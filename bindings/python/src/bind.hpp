@@ -1,0 +1,15 @@
+// The parts of the module pardel._pardel. Python's side (pardel/*.py) checks arguments and documents everything.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace pardel::python {
+
+void bind_domain(pybind11::module_& module);
+void bind_goal(pybind11::module_& module);
+void bind_mesh(pybind11::module_& module);
+void bind_mesher(pybind11::module_& module);
+void bind_checker(pybind11::module_& module);
+void bind_files(pybind11::module_& module);
+
+}  // namespace pardel::python

@@ -1,0 +1,112 @@
+#include "size_function.hpp"
+
+#include <algorithm>
+#include <string>
+#include <tuple>
+
+namespace py = pybind11;
+
+namespace pardel::python {
+namespace {
+
+constexpr std::size_t places_at_once = 65'536;
+
+/// As the checker computes it (properties/checker/check.hpp).
+Point centroid(const Mesh& mesh, const Triangle& triangle) {
+  const Point a = mesh.points[triangle.v[0]], b = mesh.points[triangle.v[1]], c = mesh.points[triangle.v[2]];
+  return {(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3};
+}
+
+bool is_before(Point p, Point q) { return std::tie(p.x, p.y) < std::tie(q.x, q.y); }
+
+double number_of(const py::object& value) {
+  const double number = PyFloat_AsDouble(value.ptr());
+  if (number == -1 && PyErr_Occurred() != nullptr) throw py::error_already_set();
+  return number;
+}
+
+}  // namespace
+
+double SizeFunction::at(Point place) const {
+  const auto known = std::lower_bound(known_.begin(), known_.end(), place,
+                                      [](const Known& each, Point p) { return is_before(each.place, p); });
+  if (known != known_.end() && known->place == place) return known->length;
+  if (asked_by_one_) {
+    call_.hold_lock();
+    return call_at(place);
+  }
+  const py::gil_scoped_acquire acquired;
+  return call_at(place);
+}
+
+double SizeFunction::call_at(Point place) const {
+  try {
+    if (takes_ == Takes::numbers) return call_with_numbers(place);
+    py::array_t<double> places({1, 2});
+    *places.mutable_data(0, 0) = place.x;
+    *places.mutable_data(0, 1) = place.y;
+    return *call_with_array(places).data(0);
+  } catch (...) {
+    throw call_.keep_exception();
+  }
+}
+
+double SizeFunction::call_with_numbers(Point place) const { return number_of(function_(place.x, place.y)); }
+
+py::array_t<double> SizeFunction::call_with_array(const py::array_t<double>& places) const {
+  const py::ssize_t count = places.shape(0);
+  const py::object returned = function_(places);
+  py::array_t<double> lengths({count});
+  if (PyFloat_Check(returned.ptr())) {
+    std::fill_n(lengths.mutable_data(), count, number_of(returned));
+    return lengths;
+  }
+  auto given = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(returned);
+  if (!given) {
+    PyErr_Clear();
+    throw py::type_error("size returned " + std::string(py::repr(py::type::of(returned))) +
+                         "; it must return numbers, one per place");
+  }
+  if (given.ndim() == 0)
+    std::fill_n(lengths.mutable_data(), count, *given.data());
+  else if (given.ndim() == 1 && given.shape(0) == count)
+    return given;
+  else
+    throw py::value_error("size returned an array of shape " + std::string(py::str(given.attr("shape"))) + " for " +
+                          std::to_string(count) + (count == 1 ? " place" : " places") +
+                          "; it must return one length per place");
+  return lengths;
+}
+
+void SizeFunction::evaluate(std::span<Known> some) const {
+  if (takes_ == Takes::numbers) {
+    for (Known& each : some) each.length = call_with_numbers(each.place);
+    return;
+  }
+  py::array_t<double> places({static_cast<py::ssize_t>(some.size()), py::ssize_t{2}});
+  for (std::size_t k = 0; k < some.size(); ++k) {
+    places.mutable_data()[2 * k] = some[k].place.x;
+    places.mutable_data()[2 * k + 1] = some[k].place.y;
+  }
+  const py::array_t<double> lengths = call_with_array(places);
+  for (std::size_t k = 0; k < some.size(); ++k) some[k].length = lengths.data()[k];
+}
+
+void SizeFunction::evaluate_in_triangles(const Mesh& mesh) {
+  Array<Known> known;
+  known.reserve(mesh.triangles.size());
+  for (const Triangle& triangle : mesh.triangles)
+    if (const Point place = centroid(mesh, triangle); place == place) known.push_back({place, 0});
+  std::sort(known.begin(), known.end(), [](const Known& a, const Known& b) { return is_before(a.place, b.place); });
+  for (std::size_t first = 0; first < known.size() && call_.go_on(); first += places_at_once) {
+    const py::gil_scoped_acquire acquired;
+    try {
+      evaluate(known.span().subspan(first, std::min(places_at_once, known.size() - first)));
+    } catch (...) {
+      throw call_.keep_exception();
+    }
+  }
+  known_ = std::move(known);
+}
+
+}  // namespace pardel::python

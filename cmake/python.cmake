@@ -1,0 +1,30 @@
+# Sets PARDEL_HAS_PYTHON if the Python package is to be built (bindings/python). Under IF_FOUND it is built if its tests
+# can run, too: with pybind11, NumPy, pytest and Hypothesis.
+set(PARDEL_BUILD_PYTHON OFF CACHE STRING "Build the Python package: ON, OFF, or IF_FOUND for what it needs")
+option(PARDEL_TEST_PYTHON "Test the Python package, also without PARDEL_BUILD_TESTS" OFF)
+set(PARDEL_HAS_PYTHON OFF)
+if(NOT PARDEL_BUILD_PYTHON)
+  return()
+endif()
+
+# Debian's packages of Python are for its own interpreter, which need not be the first one on the path.
+if(NOT Python_EXECUTABLE AND NOT DEFINED ENV{VIRTUAL_ENV} AND EXISTS /usr/bin/python3)
+  set(Python_EXECUTABLE /usr/bin/python3)
+endif()
+if(NOT PARDEL_BUILD_PYTHON STREQUAL "IF_FOUND")
+  find_package(Python 3.9 REQUIRED COMPONENTS Interpreter Development.Module)
+  find_package(pybind11 2.10 CONFIG REQUIRED)
+  set(PARDEL_HAS_PYTHON ON)
+  return()
+endif()
+find_package(Python 3.9 COMPONENTS Interpreter Development.Module)
+if(Python_FOUND)
+  find_package(pybind11 2.10 CONFIG QUIET)
+  execute_process(COMMAND ${Python_EXECUTABLE} -c "import numpy, pytest, hypothesis"
+                  RESULT_VARIABLE imported OUTPUT_QUIET ERROR_QUIET)
+endif()
+if(pybind11_FOUND AND imported EQUAL 0)
+  set(PARDEL_HAS_PYTHON ON)
+else()
+  message(STATUS "The Python package is not built: scripts/install-packages test")
+endif()
