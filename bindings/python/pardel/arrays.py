@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional
+from typing import Any, Optional, Tuple
 
 import numpy as np
 import numpy.typing as npt
@@ -24,6 +24,11 @@ def _as_array(name: str, value: Any) -> npt.NDArray[Any]:
     if array.dtype.kind not in "iufb" and array.size > 0:
         raise UsageError(f"{name} has the dtype {array.dtype}; real numbers are needed")
     return array
+
+
+def shape(name: str, value: Any) -> Tuple[int, ...]:
+    """The shape of an array; of a number (1,)."""
+    return _as_array(name, value).shape or (1,)
 
 
 def _check_columns(name: str, array: npt.NDArray[Any], columns: int) -> None:

@@ -37,6 +37,8 @@ class Domain:
                  holes: Optional[npt.ArrayLike] = None, regions: Optional[npt.ArrayLike] = None,
                  markers: Optional[npt.ArrayLike] = None, point_markers: Optional[npt.ArrayLike] = None,
                  attributes: Optional[npt.ArrayLike] = None) -> None:
+        if points is None:
+            raise UsageError("points is None; an array of shape (n, 2) is needed")
         places = arrays.numbers("points", points, 2)
         count = len(places)
         ends = arrays.indices("segments", np.empty((0, 2)) if segments is None else segments, 2, count)
@@ -122,25 +124,25 @@ def _unpickled(points: Any, segments: Any, holes: Any, regions: Any, markers: An
 def _regions(regions: Optional[npt.ArrayLike]) -> arrays.Numbers:
     if regions is None:
         return np.empty((0, 4))
-    columns = np.shape(np.asarray(regions))[-1:]
-    if columns not in ((2,), (3,), (4,)):
+    columns = arrays.shape("regions", regions)[-1]
+    if columns not in (2, 3, 4):
         return arrays.numbers("regions", regions, 4)
-    rows = arrays.numbers("regions", regions, columns[0])
+    rows = arrays.numbers("regions", regions, columns)
     full = np.full((len(rows), 4), np.inf)
     full[:, 2] = 0
-    full[:, :columns[0]] = rows
+    full[:, :columns] = rows
     return full
 
 
 def _attributes(attributes: Optional[npt.ArrayLike], count: int) -> arrays.Numbers:
     if attributes is None:
         return np.empty((count, 0))
-    columns = np.shape(np.asarray(attributes))[1:]
-    if len(columns) != 1:
-        raise UsageError(f"attributes has the shape {np.shape(np.asarray(attributes))}; ({count}, k) is needed")
-    if columns[0] == 0:
+    shape = arrays.shape("attributes", attributes)
+    if len(shape) != 2:
+        raise UsageError(f"attributes has the shape {shape}; ({count}, k) is needed")
+    if shape[1] == 0:
         return np.empty((count, 0))
-    numbers = arrays.numbers("attributes", attributes, columns[0])
+    numbers = arrays.numbers("attributes", attributes, shape[1])
     if len(numbers) != count:
         raise UsageError(f"attributes has {len(numbers)} rows; {count} are needed, one per point")
     return numbers

@@ -1,13 +1,18 @@
 """What the tests share: domains, and the settings of Hypothesis."""
 
 import os
+import tempfile
 
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, settings
+from hypothesis.configuration import set_hypothesis_home_dir
 
 import pardel
 
+# Nothing is left in the folder of the tests.
+_home = tempfile.TemporaryDirectory()
+set_hypothesis_home_dir(_home.name)
 # The same cases in each run. PARDEL_EXAMPLES sets their number per property.
 settings.register_profile("pardel", deadline=None, derandomize=True, database=None,
                           max_examples=int(os.environ.get("PARDEL_EXAMPLES", "60")),
