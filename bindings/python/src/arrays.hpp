@@ -17,7 +17,8 @@ using Numbers = pybind11::array_t<double, pybind11::array::c_style | pybind11::a
 using Integers = pybind11::array_t<std::int64_t, pybind11::array::c_style | pybind11::array::forcecast>;
 using Markers = pybind11::array_t<std::int32_t, pybind11::array::c_style | pybind11::array::forcecast>;
 
-/// The rows of an array of shape (n, 2), copied once.
+/// Copies the rows of an array of shape (n, 2).
+void copy_points(const Numbers& from, Point* to);
 [[nodiscard]] std::vector<Point> points_of(const Numbers& numbers);
 
 /// no_index for a number that is no Index.

@@ -21,18 +21,19 @@ HeldMesh& held(const py::object& self) { return *self.cast<HeldMesh*>(); }
 /// Corners of triangles, of any integer type and layout, without a converted copy of a common type.
 template <class T>
 void append_triangles(const py::array& corners, Array<Triangle>& triangles) {
-  const auto rows = py::array_t<T, py::array::forcecast>(corners);
+  const auto converted = py::array_t<T, py::array::forcecast>(corners);
+  const auto rows = converted.template unchecked<2>();
   for (py::ssize_t t = 0; t < rows.shape(0); ++t) {
     Triangle& triangle = triangles[static_cast<std::size_t>(t)];
-    for (py::ssize_t k = 0; k < 3; ++k)
-      triangle.v[static_cast<std::size_t>(k)] = index_of(static_cast<std::int64_t>(*rows.data(t, k)));
+    for (py::ssize_t k = 0; k < 3; ++k) triangle.v[static_cast<std::size_t>(k)] = index_of(std::int64_t{rows(t, k)});
   }
 }
 
 /// The shapes have been checked.
 std::shared_ptr<HeldMesh> make_mesh(const Numbers& points, const py::array& corners) {
   Mesh mesh;
-  mesh.points = Array<Point>(std::span<const Point>(points_of(points)));
+  mesh.points.resize_uninitialised(static_cast<std::size_t>(points.shape(0)));
+  copy_points(points, mesh.points.data());
   mesh.triangles.resize(static_cast<std::size_t>(corners.shape(0)));
   if (py::isinstance<py::array_t<std::int32_t>>(corners))
     append_triangles<std::int32_t>(corners, mesh.triangles);
