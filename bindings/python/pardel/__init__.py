@@ -10,15 +10,17 @@ True
 from ._mesh import Mesh, Quality
 from ._pardel import version as __version__
 from .checking import Certificate, Extreme, Violation, check
-from .domain import Domain, Repaired, polygon, repair, validate
+from .domain import Domain
 from .errors import Cancelled, Error, FileError, InternalError, InvalidInput, Problem, ResourceError, UsageError
 from .files import read, write
 from .meshing import convex_hull, delaunay, mesh, refine
-from .report import Exemption, Gap, Report
+from .polygons import polygon
+from .report import Exemption, Exemptions, Gap, Report
+from .validation import Repaired, repair, validate
 
 __all__ = [
-    "Cancelled", "Certificate", "Domain", "Error", "Exemption", "Extreme", "FileError", "Gap", "InternalError",
-    "InvalidInput", "Mesh", "Problem", "Quality", "Repaired", "Report", "ResourceError", "UsageError", "Violation",
-    "__version__", "check", "convex_hull", "delaunay", "mesh", "polygon", "read", "refine", "repair", "validate",
-    "write",
+    "Cancelled", "Certificate", "Domain", "Error", "Exemption", "Exemptions", "Extreme", "FileError", "Gap",
+    "InternalError", "InvalidInput", "Mesh", "Problem", "Quality", "Repaired", "Report", "ResourceError", "UsageError",
+    "Violation", "__version__", "check", "convex_hull", "delaunay", "mesh", "polygon", "read", "refine", "repair",
+    "validate", "write",
 ]

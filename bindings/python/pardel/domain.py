@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass
-from typing import Any, Optional, Sequence, Tuple, Union
+from typing import Any, Optional, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _pardel, arrays
-from .errors import Problem, UsageError, problems_of
+from .errors import UsageError
 
 
 class Domain:
@@ -161,98 +160,3 @@ def domain_of(value: Any, segments: Any = None, **parts: Any) -> Domain:
             raise UsageError(f"{os.fspath(value)} is a mesh; a domain is needed")
         return Domain._of(read)
     return Domain(value, segments, **parts)
-
-
-def polygon(outline: npt.ArrayLike, *inner: npt.ArrayLike) -> Domain:
-    """The domain inside a polygon, without the polygons inside it.
-
-    outline, inner: shape (n, 2): the corners in their order, in either direction, each once or with the first one again
-    at the end. The inner ones become holes.
-
-    Raises `UsageError` for a wrong shape, and `InvalidInput` for an inner polygon that crosses itself.
-
-    >>> polygon([(0, 0), (4, 0), (4, 4), (0, 4)], [(1, 1), (2, 1), (2, 2)])
-    Domain(7 points, 7 segments, 1 holes)
-    """
-    rings = [_ring(ring) for ring in (outline, *inner)]
-    starts = np.cumsum([0, *map(len, rings)])
-    ends = [np.stack([start + np.arange(len(ring)), start + np.roll(np.arange(len(ring)), -1)], axis=1)
-            for start, ring in zip(starts, rings)]
-    holes = [_place_inside(ring) for ring in rings[1:]]
-    return Domain(np.concatenate(rings), np.concatenate(ends), holes=holes or None)
-
-
-def _ring(corners: npt.ArrayLike) -> arrays.Numbers:
-    ring = arrays.numbers("a polygon", corners, 2)
-    if len(ring) > 1 and np.array_equal(ring[0], ring[-1]):
-        ring = ring[:-1]
-    if len(ring) < 3:
-        raise UsageError(f"a polygon has {len(ring)} corners; at least 3 are needed")
-    return ring
-
-
-def _place_inside(ring: arrays.Numbers) -> arrays.Numbers:
-    """The centroid of the largest triangle of the polygon."""
-    goal = _pardel.Goal()
-    goal.min_angle = 0
-    core, _ = _pardel.mesh(polygon(ring)._core, goal, _pardel.Options(), _pardel.Sizes(), False, None, None)
-    corners = core.points[core.triangles]
-    first, second = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
-    largest = np.argmax(first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0])
-    place: arrays.Numbers = corners[largest].mean(axis=0)
-    return place
-
-
-def validate(domain: DomainLike, segments: Optional[npt.ArrayLike] = None, *, holes: Optional[npt.ArrayLike] = None,
-             regions: Optional[npt.ArrayLike] = None, markers: Optional[npt.ArrayLike] = None,
-             convex_hull: bool = False, threads: int = 0) -> Sequence[Problem]:
-    """All problems of a domain; none if it can be meshed. Exact: there is no tolerance.
-
-    domain: a `Domain`, the path of a file, or points with the other arguments of `Domain`.
-    convex_hull: the domain is the convex hull of the points, and an open outline is no problem.
-    Raises `UsageError`, `FileError`. O(n log n) for n points and segments.
-
-    >>> crossing = Domain([(0, 0), (2, 2), (0, 2), (2, 0)], [(0, 1), (2, 3)])
-    >>> for problem in validate(crossing):
-    ...     print(problem.kind, problem.ids, problem.coordinates)
-    crossing_segments (0, 1) (1.0, 1.0)
-    """
-    core = domain_of(domain, segments, holes=holes, regions=regions, markers=markers)._core
-    return problems_of(_pardel.problems_of(core, convex_hull, threads))
-
-
-@dataclass(frozen=True)
-class Repaired:
-    """What `repair` made.
-
-    domain: the repaired domain. log: the changes, one sentence each; empty if nothing changed.
-    point_map: shape (n,), int32: the new index of each old point. segment_map: one old segment per new segment, -1 for
-    a side of the convex hull. snap: the distance that was used, in the unit of the coordinates.
-    moved_points, bent_segments: how many were moved; farthest: how far, at most.
-    """
-
-    domain: Domain
-    log: Tuple[str, ...]
-    point_map: npt.NDArray[np.int32]
-    segment_map: npt.NDArray[np.int32]
-    snap: float
-    moved_points: int
-    bent_segments: int
-    farthest: float
-    convex_hull: bool
-
-
-def repair(domain: DomainLike, segments: Optional[npt.ArrayLike] = None, *, snap: Optional[float] = None,
-           convex_hull: bool = False, **parts: Any) -> Repaired:
-    """Makes a valid domain of one with duplicate points, crossing or overlapping segments, or tiny gaps.
-
-    snap: gaps below this distance are closed, in the unit of the coordinates; 0: only equal points are merged; None:
-    gaps that are narrower than about 4e-12 of the coordinates there.
-    Raises `UsageError`; `InvalidInput` if a coordinate is not finite, or if no domain is left.
-
-    >>> crossing = Domain([(0, 0), (2, 2), (0, 2), (2, 0)], [(0, 1), (1, 2), (2, 3), (3, 0)])
-    >>> repair(crossing).domain
-    Domain(5 points, 6 segments)
-    """
-    made = _pardel.repair(domain_of(domain, segments, **parts)._core, snap, convex_hull)
-    return Repaired(domain=Domain._of(made.pop("domain")), **made)

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from dataclasses import dataclass
-from typing import Any, Dict, Mapping, Tuple
+from typing import Any, Dict, Iterator, Mapping, Sequence, Tuple, Union, overload
+
+import numpy as np
+import numpy.typing as npt
 
 from .errors import Coordinates
 
@@ -22,6 +24,44 @@ class Exemption:
     reason: str
     apex: int
     angle: float
+
+
+class Exemptions(Sequence[Exemption]):
+    """The triangles that miss a bound, in ascending order: a sequence of `Exemption`, which are made when asked for.
+
+    triangles: shape (k,), int32: all their indices.
+    """
+
+    def __init__(self, triangles: npt.NDArray[np.int32], reasons: npt.NDArray[np.uint8], apexes: npt.NDArray[np.int32],
+                 angles: npt.NDArray[np.float64], names: Tuple[str, ...]) -> None:
+        self.triangles = triangles
+        self._reasons, self._apexes, self._angles, self._names = reasons, apexes, angles, names
+
+    def __len__(self) -> int:
+        return len(self.triangles)
+
+    @overload
+    def __getitem__(self, which: int) -> Exemption: ...
+
+    @overload
+    def __getitem__(self, which: slice) -> Tuple[Exemption, ...]: ...
+
+    def __getitem__(self, which: Union[int, slice]) -> Union[Exemption, Tuple[Exemption, ...]]:
+        if isinstance(which, slice):
+            return tuple(self[k] for k in range(*which.indices(len(self))))
+        return Exemption(int(self.triangles[which]), self._names[self._reasons[which]], int(self._apexes[which]),
+                         float(self._angles[which]))
+
+    def __iter__(self) -> Iterator[Exemption]:
+        return (self[k] for k in range(len(self)))
+
+    def counts(self) -> Dict[str, int]:
+        """Their number by reason."""
+        found = np.bincount(self._reasons, minlength=len(self._names))
+        return {name: int(count) for name, count in zip(self._names, found) if count}
+
+    def __repr__(self) -> str:
+        return f"Exemptions({self.counts()})"
 
 
 @dataclass(frozen=True)
@@ -54,7 +94,7 @@ class Report:
     refused: int
     laid: int
     restarts: int
-    exempt: Tuple[Exemption, ...]
+    exempt: Exemptions
     gaps: Tuple[Gap, ...]
     repairs: Tuple[str, ...]
     validate_seconds: float
@@ -64,11 +104,11 @@ class Report:
     @property
     def exempt_counts(self) -> Dict[str, int]:
         """The number of exempt triangles by reason."""
-        return dict(Counter(each.reason for each in self.exempt))
+        return self.exempt.counts()
 
 
 def report_of(found: Mapping[str, Any]) -> Report:
     values = dict(found)
-    values["exempt"] = tuple(Exemption(*row) for row in found["exempt"])
+    values["exempt"] = Exemptions(*found["exempt"])
     values["gaps"] = tuple(Gap(*row) for row in found["gaps"])
     return Report(**values)

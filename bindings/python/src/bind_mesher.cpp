@@ -23,12 +23,22 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-py::list to_list(const std::vector<Exemption>& exempt) {
-  py::list list;
-  for (const Exemption& each : exempt)
-    list.append(py::make_tuple(each.triangle, name(each.reason), each.apex == no_index ? -1 : std::int64_t{each.apex},
-                               each.angle_deg));
-  return list;
+/// Arrays, because there can be millions: triangles, reasons, apexes and angles; then the names of the reasons.
+py::tuple to_arrays(const std::vector<Exemption>& exempt) {
+  const auto count = static_cast<py::ssize_t>(exempt.size());
+  py::array_t<std::int32_t> triangles(count), apexes(count);
+  py::array_t<std::uint8_t> reasons(count);
+  py::array_t<double> angles(count);
+  for (py::ssize_t k = 0; k < count; ++k) {
+    const Exemption& each = exempt[static_cast<std::size_t>(k)];
+    triangles.mutable_at(k) = static_cast<std::int32_t>(each.triangle);
+    apexes.mutable_at(k) = static_cast<std::int32_t>(each.apex);  // no_index becomes -1
+    reasons.mutable_at(k) = static_cast<std::uint8_t>(each.reason);
+    angles.mutable_at(k) = each.angle_deg;
+  }
+  py::tuple names(exempt_reasons);
+  for (std::size_t k = 0; k < exempt_reasons; ++k) names[k] = name(static_cast<ExemptReason>(k));
+  return py::make_tuple(triangles, reasons, apexes, angles, names);
 }
 
 py::list to_list(const std::vector<Gap>& gaps) {
@@ -48,7 +58,7 @@ py::dict to_dict(const Report& report, const std::vector<std::string>& repairs, 
   dict["refused"] = report.refused;
   dict["laid"] = report.laid;
   dict["restarts"] = report.restarts;
-  dict["exempt"] = to_list(report.exempt);
+  dict["exempt"] = to_arrays(report.exempt);
   dict["gaps"] = to_list(report.gaps);
   dict["repairs"] = py::tuple(py::cast(repairs));
   dict["validate_seconds"] = validate_seconds;

@@ -160,6 +160,14 @@ def test_small_angles_of_the_domain_are_exempt_and_named():
     assert {each.apex for each in made.report.exempt} == {0}
 
 
+def test_exempt_triangles_are_a_sequence(square):
+    made = pardel.mesh(square, max_area=1e-4, max_vertices=200)
+    exempt = made.report.exempt
+    assert [each.triangle for each in exempt] == exempt.triangles.tolist()
+    assert exempt[-1] == list(exempt)[-1] and exempt[1:3] == tuple(exempt)[1:3]
+    assert repr(exempt) == f"Exemptions({{'budget': {len(exempt)}}})"
+
+
 def test_narrow_places_are_reported_as_gaps():
     made = pardel.mesh(pardel.polygon([(0, 0), (1, 0), (1, 1e-8), (1, 1), (0, 1)]))
     assert made.report.gaps and made.report.gaps[0].distance == pytest.approx(1e-8)

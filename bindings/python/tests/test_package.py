@@ -16,7 +16,8 @@ import pytest
 import pardel
 
 SOURCE = Path(os.environ.get("PARDEL_SOURCE", Path(__file__).resolve().parents[3]))
-MODULES = ("pardel", "pardel._mesh", "pardel.checking", "pardel.domain", "pardel.files", "pardel.meshing")
+MODULES = ("pardel", "pardel._mesh", "pardel.checking", "pardel.domain", "pardel.files", "pardel.meshing",
+           "pardel.polygons", "pardel.validation")
 
 
 def run(*command, **options):
