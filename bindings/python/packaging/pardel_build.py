@@ -67,6 +67,20 @@ def files_of_package(folder, settings):
     return dict(sorted(found.items()))
 
 
+def information():
+    """The files in pardel-VERSION.dist-info, apart from the list of all files."""
+    wheel = f"Wheel-Version: 1.0\nGenerator: pardel_build\nRoot-Is-Purelib: false\nTag: {tag()}\n"
+    return {"METADATA": metadata(), "WHEEL": wheel, "LICENSE": (ROOT / "LICENSE").read_text()}
+
+
+def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
+    info = f"pardel-{version()}.dist-info"
+    os.makedirs(os.path.join(metadata_directory, info))
+    for name, text in information().items():
+        pathlib.Path(metadata_directory, info, name).write_text(text)
+    return info
+
+
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     info = f"pardel-{version()}.dist-info"
     name = f"pardel-{version()}-{tag()}.whl"
@@ -75,10 +89,7 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
             zipfile.ZipFile(os.path.join(wheel_directory, name), "w", zipfile.ZIP_DEFLATED) as wheel:
         files = files_of_package(pathlib.Path(folder), config_settings or {})
         contents = {path: source.read_bytes() for path, source in files.items()}
-        contents[f"{info}/METADATA"] = metadata().encode()
-        contents[f"{info}/WHEEL"] = (f"Wheel-Version: 1.0\nGenerator: pardel_build\nRoot-Is-Purelib: false\n"
-                                     f"Tag: {tag()}\n").encode()
-        contents[f"{info}/LICENSE"] = (ROOT / "LICENSE").read_bytes()
+        contents |= {f"{info}/{file}": text.encode() for file, text in information().items()}
         for path, content in contents.items():
             wheel.writestr(path, content)
             digest = base64.urlsafe_b64encode(hashlib.sha256(content).digest()).rstrip(b"=").decode()
