@@ -56,7 +56,7 @@ double SizeFunction::call_with_numbers(Point place) const { return number_of(fun
 py::array_t<double> SizeFunction::call_with_array(const py::array_t<double>& places) const {
   const py::ssize_t count = places.shape(0);
   const py::object returned = function_(places);
-  py::array_t<double> lengths({count});
+  py::array_t<double> lengths(count);
   if (PyFloat_Check(returned.ptr())) {
     std::fill_n(lengths.mutable_data(), count, number_of(returned));
     return lengths;
