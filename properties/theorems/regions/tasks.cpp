@@ -40,17 +40,18 @@ void Task::replace_hole(ref::PlainMesh& mesh, const ref::ExactPoint& p) {
   touched_.insert(vertex);
 }
 
-Outcome outcome(ref::PlainMesh mesh, Tasks& tasks, const std::function<int()>& turn) {
-  while (!tasks[0].is_done() || !tasks[1].is_done()) {
-    const int wanted = turn();
-    tasks[tasks[wanted].is_done() ? 1 - wanted : wanted].step(mesh);
-  }
-  Outcome result{ref::triangles_as_points(mesh), {}, {tasks[0].handed_on(), tasks[1].handed_on()}};
+MeshAsPoints as_points(const ref::PlainMesh& mesh) {
+  MeshAsPoints made{ref::triangles_as_points(mesh), {}};
   for (const ref::Edge& e : mesh.constraints) {
     const ref::ExactPoint &a = mesh.points[e[0]], &b = mesh.points[e[1]];
-    result.constraints.insert({std::min(a, b), std::max(a, b)});
+    made.constraints.insert({std::min(a, b), std::max(a, b)});
   }
-  return result;
+  return made;
+}
+
+Outcome outcome(ref::PlainMesh mesh, Tasks& tasks, const std::function<int()>& turn) {
+  run(mesh, tasks, turn);
+  return {as_points(mesh), {tasks[0].handed_on(), tasks[1].handed_on()}};
 }
 
 Outcome one_after_the_other(const ref::PlainMesh& mesh, Tasks tasks, int first) {

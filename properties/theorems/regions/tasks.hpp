@@ -45,16 +45,31 @@ class Task {
 
 using Tasks = std::array<Task, 2>;
 
-/// The result of two tasks, independent of the numbering of vertices.
-struct Outcome {
+/// A mesh, independent of the numbering of vertices.
+struct MeshAsPoints {
   std::set<std::array<ref::ExactPoint, 3>> triangles;
   std::set<std::array<ref::ExactPoint, 2>> constraints;
+  friend bool operator==(const MeshAsPoints&, const MeshAsPoints&) = default;
+};
+[[nodiscard]] MeshAsPoints as_points(const ref::PlainMesh& mesh);
+
+/// Runs both tasks to the end. While both have steps left, `turn()` returns which takes the next step, 0 or 1.
+template <class Either>
+void run(ref::PlainMesh& mesh, std::array<Either, 2>& tasks, const std::function<int()>& turn) {
+  while (!tasks[0].is_done() || !tasks[1].is_done()) {
+    const int wanted = turn();
+    tasks[tasks[wanted].is_done() ? 1 - wanted : wanted].step(mesh);
+  }
+}
+
+/// The result of two tasks.
+struct Outcome {
+  MeshAsPoints mesh;
   std::array<std::vector<bool>, 2> handed_on;
   friend bool operator==(const Outcome&, const Outcome&) = default;
 };
 
-/// Runs both tasks on a copy of the mesh. While both have steps left, `turn()` returns which takes the next step, 0
-/// or 1.
+/// Runs both tasks on a copy of the mesh.
 [[nodiscard]] Outcome outcome(ref::PlainMesh mesh, Tasks& tasks, const std::function<int()>& turn);
 [[nodiscard]] Outcome one_after_the_other(const ref::PlainMesh& mesh, Tasks tasks, int first);
 /// Runs both tasks, with alternating steps. If each task has one point, both cavities are found before one is replaced.

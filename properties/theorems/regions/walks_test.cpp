@@ -5,7 +5,6 @@
 #include <functional>
 #include <map>
 
-#include "../../../ref/independent.hpp"
 #include "../../domains/generators/random.hpp"
 #include "../framework/property.hpp"
 #include "../framework/scene_carving.hpp"
@@ -19,20 +18,11 @@ using generators::Random;
 using ref::Box;
 using ref::PlainMesh;
 using Walkers = std::array<Walker, 2>;
-using Made = std::pair<std::set<std::array<ref::ExactPoint, 3>>, std::set<std::array<ref::ExactPoint, 2>>>;
 
-/// Runs both tasks on a copy of the mesh; `turn` says which of them takes the next step.
-Made made_by(PlainMesh& mesh, Walkers& walkers, const std::function<int()>& turn) {
-  while (!walkers[0].is_done() || !walkers[1].is_done()) {
-    const int wanted = turn();
-    walkers[walkers[wanted].is_done() ? 1 - wanted : wanted].step(mesh);
-  }
-  Made made{ref::triangles_as_points(mesh), {}};
-  for (const ref::Edge& e : mesh.constraints) {
-    const ref::ExactPoint &a = mesh.points[e[0]], &b = mesh.points[e[1]];
-    made.second.insert({std::min(a, b), std::max(a, b)});
-  }
-  return made;
+/// Runs both tasks on the mesh; `turn` says which of them takes the next step.
+MeshAsPoints made_by(PlainMesh& mesh, Walkers& walkers, const std::function<int()>& turn) {
+  run(mesh, walkers, turn);
+  return as_points(mesh);
 }
 
 /// Is no apex of two triangles with a common free edge in the circumdisk of the other one?
@@ -123,7 +113,7 @@ PARDEL_PROPERTY(TRegionWalks, tasks_that_walk_in_closed_sets_give_one_mesh_thoug
                            Walker(plots[1].region, sets[1], plots[1].wishes)};
   Walkers first = walkers, second = walkers, at_once = walkers;
   PlainMesh mesh = given.mesh, again = given.mesh, mixed = given.mesh;
-  const Made expected = made_by(mesh, first, [] { return 0; });
+  const MeshAsPoints expected = made_by(mesh, first, [] { return 0; });
   RC_ASSERT(made_by(again, second, [] { return 1; }) == expected);
   RC_ASSERT(made_by(mixed, at_once, [&] { return static_cast<int>(random.below(2)); }) == expected);
   RC_ASSERT(are_disjoint(at_once[0].touched(), at_once[1].touched()));
