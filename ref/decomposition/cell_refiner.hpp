@@ -11,7 +11,8 @@
 //   depends on the order of the cells.
 // - A bad triangle waits while a subsegment that meets its circumdisk waits for its split in another cell. So no vertex
 //   lies in the circumdisk of a triangle that is split, and refinement ends as Ruppert's does (THEORY.md, Lattice).
-// - Sweeps are repeated until a sweep inserts nothing. The number of sweeps is measured.
+// - Sweeps are repeated until a sweep inserts nothing. Lattice (d) bounds their number if triangles are bad by shape
+//   only.
 // - Splitting a subsegment at a corner of less than 90 degrees may raise circumradii. So they are measured after each
 //   phase, and cells that have become too small for them are replaced.
 #pragma once

@@ -211,9 +211,9 @@ class Layer {
   /// Lays the pieces between two stops.
   void lay(const Line& line, const std::pair<const double, Index>& from, const std::pair<const double, Index>& to) {
     const double length = to.first - from.first;
-    const Index t = triangle_at(on(line, from.first + length / 2));
-    if (t == no_index || !(length > 0)) return;
     const Point middle = on(line, from.first + length / 2);
+    const Index t = triangle_at(middle);
+    if (t == no_index || !(length > 0)) return;
     const bool is_sized = std::isfinite(bounds_.wanted_area(middle, mesh_.faces[t].region));
     const std::size_t most = is_sized ? most_points_ : most_unsized_;
     std::vector<double> ends = {0};
