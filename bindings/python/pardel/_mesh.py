@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from dataclasses import dataclass
 from typing import Any, Mapping, Optional, Tuple
 
@@ -11,6 +12,7 @@ import numpy.typing as npt
 from . import _pardel, arrays
 from .domain import Domain
 from .errors import UsageError
+from .paths import read_as
 from .report import Report, report_of
 
 Indices = npt.NDArray[np.int32]
@@ -156,15 +158,10 @@ class Mesh:
 
 def mesh_of(value: Any) -> Mesh:
     """The mesh that an argument stands for: a `Mesh`, the path of a file, (points, triangles), or a mesh of meshio."""
-    import os
-
     if isinstance(value, Mesh):
         return value
     if isinstance(value, (str, os.PathLike)):
-        read = _pardel.read(os.fspath(value))
-        if not isinstance(read, _pardel.HeldMesh):
-            raise UsageError(f"{os.fspath(value)} is a domain; a mesh is needed")
-        return Mesh._of(read)
+        return Mesh._of(read_as(_pardel.HeldMesh, value, "a domain", "a mesh"))
     if hasattr(value, "points") and hasattr(value, "cells"):
         return _of_cells(value.points, value.cells)
     if isinstance(value, (tuple, list)) and len(value) == 2:

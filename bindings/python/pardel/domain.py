@@ -10,6 +10,7 @@ import numpy.typing as npt
 
 from . import _pardel, arrays
 from .errors import UsageError
+from .paths import read_as
 
 
 class Domain:
@@ -155,8 +156,5 @@ def domain_of(value: Any, segments: Any = None, **parts: Any) -> Domain:
     if isinstance(value, Domain):
         return value
     if isinstance(value, (str, os.PathLike)):
-        read = _pardel.read(os.fspath(value))
-        if not isinstance(read, _pardel.Pslg):
-            raise UsageError(f"{os.fspath(value)} is a mesh; a domain is needed")
-        return Domain._of(read)
+        return Domain._of(read_as(_pardel.Pslg, value, "a mesh", "a domain"))
     return Domain(value, segments, **parts)

@@ -8,8 +8,7 @@ from typing import Any, Union
 from . import _pardel
 from ._mesh import Mesh, mesh_of
 from .domain import Domain
-
-Path = Union[str, "os.PathLike[str]"]
+from .paths import Path
 
 
 def read(path: Path) -> Union[Domain, Mesh]:

@@ -10,6 +10,7 @@
 #include "errors.hpp"
 #include "goal.hpp"
 #include "held_mesh.hpp"
+#include "valid_domain.hpp"
 
 namespace py = pybind11;
 
@@ -72,23 +73,15 @@ py::dict to_dict(const Certificate& certificate) {
   return dict;
 }
 
-/// The domain with the sizes at its points has to be triangulated. A domain that is not valid says nothing about a
-/// mesh.
-ValidPslg valid(const Pslg& domain, bool convex_hull, Call& call) {
-  Result<ValidPslg, std::vector<Problem>> result =
-      validate(domain, {.convex_hull = convex_hull, .go_on = call.question()});
-  if (!result) throw Failure{{ErrorKind::invalid_input, messages(result.error())}, result.error()};
-  return std::move(*result);
-}
-
 py::dict check_mesh(const Pslg& domain, const HeldMesh& held, const Goal& goal, const Sizes& sizes,
                     double max_circumradius, std::size_t max_violations) {
   Call call;
   const std::unique_ptr<SizeFunction> function = function_of(sizes, call, false);
   const Certificate certificate = call.run([&] {
-    const ValidPslg valid_domain = valid(domain, goal.convex_hull, call);
+    // The domain with the sizes at its points has to be triangulated. One that is not valid says nothing about a mesh.
+    const ValidPslg valid = valid_domain(domain, {.convex_hull = goal.convex_hull, .go_on = call.question()});
     if (function && has_indices_in_range(held.any())) function->evaluate_in_triangles(held.any());
-    const Goal complete = with_sizes(goal, sizes, function.get(), &valid_domain, {});
+    const Goal complete = with_sizes(goal, sizes, function.get(), &valid, {});
     const bool is_own = held.domain() != nullptr && !held.any().origin.empty() && *held.domain() == domain;
     const CheckOptions options{.max_violations = max_violations,
                                .max_circumradius = max_circumradius,

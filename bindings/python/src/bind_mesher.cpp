@@ -15,6 +15,7 @@
 #include "goal.hpp"
 #include "held_mesh.hpp"
 #include "repaired.hpp"
+#include "valid_domain.hpp"
 
 namespace py = pybind11;
 
@@ -88,21 +89,23 @@ Input valid_input(const Pslg& domain, const Goal& goal, std::vector<double>& len
     Repaired repaired = value_of(repaired_with(lengths, domain, options));
     return {std::move(repaired.domain), std::move(repaired.log)};
   }
-  Result<ValidPslg, std::vector<Problem>> valid =
-      validate(domain, {.convex_hull = goal.convex_hull, .threads = threads, .go_on = call.question()});
-  if (valid) return {std::move(*valid)};
-  if (valid.error().front().kind == ProblemKind::cancelled)
-    throw Failure{{ErrorKind::cancelled, "the caller asked to stop"}};
-  throw Failure{{ErrorKind::invalid_input, messages(valid.error())}, valid.error()};
+  return {valid_domain(domain, {.convex_hull = goal.convex_hull, .threads = threads, .go_on = call.question()})};
+}
+
+/// Lets the call stop the run. Returns the size function of the caller if there is one; then the run has one thread:
+/// the others would only wait for the interpreter lock, and the mesh is the same.
+std::unique_ptr<SizeFunction> prepared(Options& options, const Sizes& sizes, Call& call) {
+  options.progress = [&call](const Progress& now) { return call.go_on(now); };
+  std::unique_ptr<SizeFunction> function = function_of(sizes, call, true);
+  if (function) options.threads = 1;
+  return function;
 }
 
 /// snap: a distance for the repair, or None for its default.
 py::tuple mesh_domain(const std::shared_ptr<Pslg>& domain, Goal goal, Options options, Sizes sizes, bool is_repaired,
                       std::optional<double> snap, py::object progress) {
   Call call(std::move(progress));
-  options.progress = [&call](const Progress& now) { return call.go_on(now); };
-  const std::unique_ptr<SizeFunction> function = function_of(sizes, call, true);
-  if (function) options.threads = 1;  // the others would only wait for the interpreter lock; the mesh is the same
+  const std::unique_ptr<SizeFunction> function = prepared(options, sizes, call);
   std::vector<double> none;
   std::vector<double>& at_points = sizes.mesh ? none : sizes.lengths;
   std::optional<RepairOptions> how;
@@ -126,9 +129,7 @@ py::tuple mesh_domain(const std::shared_ptr<Pslg>& domain, Goal goal, Options op
 py::tuple refine_mesh(const std::shared_ptr<HeldMesh>& coarse, const Numbers& max_areas, Goal goal, Options options,
                       const Sizes& sizes, py::object progress) {
   Call call(std::move(progress));
-  options.progress = [&call](const Progress& now) { return call.go_on(now); };
-  const std::unique_ptr<SizeFunction> function = function_of(sizes, call, true);
-  if (function) options.threads = 1;  // the others would only wait for the interpreter lock; the mesh is the same
+  const std::unique_ptr<SizeFunction> function = prepared(options, sizes, call);
   const Mesh& mesh = coarse->usable();
   const std::span<const double> caps(max_areas.data(), static_cast<std::size_t>(max_areas.size()));
   Meshed made = call.run([&] {

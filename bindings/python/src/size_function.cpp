@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <string>
-#include <tuple>
+
+#include "../../../core/support/point_order.hpp"
 
 namespace py = pybind11;
 
@@ -17,8 +18,6 @@ Point centroid(const Mesh& mesh, const Triangle& triangle) {
   return {(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3};
 }
 
-bool is_before(Point p, Point q) { return std::tie(p.x, p.y) < std::tie(q.x, q.y); }
-
 double number_of(const py::object& value) {
   const double number = PyFloat_AsDouble(value.ptr());
   if (number == -1 && PyErr_Occurred() != nullptr) throw py::error_already_set();
@@ -29,7 +28,7 @@ double number_of(const py::object& value) {
 
 double SizeFunction::at(Point place) const {
   const auto known = std::lower_bound(known_.begin(), known_.end(), place,
-                                      [](const Known& each, Point p) { return is_before(each.place, p); });
+                                      [](const Known& each, Point p) { return lexicographically_less(each.place, p); });
   if (known != known_.end() && known->place == place) return known->length;
   if (asked_by_one_) {
     call_.hold_lock();
@@ -97,7 +96,8 @@ void SizeFunction::evaluate_in_triangles(const Mesh& mesh) {
   known.reserve(mesh.triangles.size());
   for (const Triangle& triangle : mesh.triangles)
     if (const Point place = centroid(mesh, triangle); place == place) known.push_back({place, 0});
-  std::sort(known.begin(), known.end(), [](const Known& a, const Known& b) { return is_before(a.place, b.place); });
+  std::sort(known.begin(), known.end(),
+            [](const Known& a, const Known& b) { return lexicographically_less(a.place, b.place); });
   for (std::size_t first = 0; first < known.size() && call_.go_on(); first += places_at_once) {
     const py::gil_scoped_acquire acquired;
     try {
