@@ -45,9 +45,8 @@ Split at_a_corner(Random& random) {
   s.pslg.points = {{0, 0}, {4096, 0}, {128.0 * u, 128.0 * v}};
   s.pslg.segments = {{0, 1}, {0, 2}};
   const ExactPoint apex(0, 0);
-  const int near = is_near_thirty_degrees || s.is_at_apex
-                       ? 0
-                       : random.between(0, 20);  // |an| is (60 - near) / 20 times as long as 1/3
+  // |an| is 60 / (20 + near) times as long as |am|.
+  const int near = is_near_thirty_degrees || s.is_at_apex ? 0 : random.between(0, 20);
   s.n = {Number(60), 0};
   s.m = {s.is_at_apex ? Number(0) : Number(20 + near), 0};
   // On the ray, the diametral circle lies between these distances; p is anywhere between them.
@@ -106,9 +105,8 @@ PARDEL_PROPERTY(T2Once, a_split_point_in_the_circle_of_another_segment_keeps_the
   RC_ASSERT(squared <= squared_bound);
   const bool is_near = CGAL::to_double(squared / squared_bound) > 0.81;  // 0.9 of the bound
   classify(s.is_at_apex && is_near, "m is the common end, more than 0.9 of the bound", 4);
-  classify(is_farther, "m is not the common end", 5);
-  classify(is_farther && CGAL::to_double(squared / squared_bound) > 0.64, "m is not the common end, more than 0.8",
-           0.5);
+  classify(is_farther, "m is not the common end", 12);
+  classify(is_farther && CGAL::to_double(squared / squared_bound) > 0.64, "m is not the common end, more than 0.8", 6);
   classify(s.is_apart && is_near, "no common point, more than 0.9 of the bound", 4);
 }
 
@@ -126,13 +124,9 @@ ExactPoint some_split_point(Random& random, const ref::PlainMesh& mesh, std::siz
   const auto length = [&](const ref::Edge& e) { return CGAL::squared_distance(mesh.points[e[0]], mesh.points[e[1]]); };
   if (random.chance(2)) {
     const Index apex = static_cast<Index>(random.below(inputs));
-    std::erase_if(walls, [&](const ref::Edge& e) { return e[0] != apex && e[1] != apex; });
-    if (!walls.empty()) {
-      const ref::Edge shortest = *std::ranges::min_element(walls, {}, length);
-      walls = {shortest};
-    } else {
-      walls.assign(mesh.constraints.begin(), mesh.constraints.end());
-    }
+    std::vector<ref::Edge> at_apex = walls;
+    std::erase_if(at_apex, [&](const ref::Edge& e) { return e[0] != apex && e[1] != apex; });
+    if (!at_apex.empty()) walls = {*std::ranges::min_element(at_apex, {}, length)};
   }
   const ref::Edge e = random.one_of(walls);
   return along(mesh.points[e[0]], mesh.points[e[1]], Number(random.between(8, 16)) / 24);
@@ -183,7 +177,7 @@ PARDEL_PROPERTY(T2Once, one_measurement_bounds_all_circumradii_of_a_run_in_any_o
   classify(largest > meshed.squared_bound && 4 * largest > bound, "grew to more than half of the bound", 7);
 }
 
-/// Inserts p into the mesh of a convex polygon whose sides are walls. Returns the largest r² of its new triangles.
+/// Inserts p into the mesh of a convex polygon whose sides are walls. Returns the largest r² of all triangles.
 Number largest_after(ref::PlainMesh& mesh, const ExactPoint& p) {
   ref::insert(mesh, p);
   return squared_circumradius_bound(mesh);
