@@ -129,32 +129,31 @@ Result<ExitCode> run(const CheckArguments& arguments) {
 
 }  // namespace
 
-Command add_check(CLI::App& program) {
+Run check_command(CLI::App& app) {
   const auto arguments = std::make_shared<CheckArguments>();
-  CLI::App* app = program.add_subcommand("check", "Prove that a mesh is right for its domain, or list what is wrong");
-  app->add_option("IN.poly", arguments->domain, "The domain: .poly, .node or .geojson; - is standard input")
+  app.add_option("IN.poly", arguments->domain, "The domain: .poly, .node or .geojson; - is standard input")
       ->required()
       ->type_name("");
-  app->add_option("MESH", arguments->mesh,
-                  "The mesh, made by any program: .node, .ele, .msh, .vtu, .pvtu, .off, .vtk, .2dm,\n.gr3, .14; - is "
-                  "standard input "
-                  "(.msh, .vtu, .off, .vtk, .2dm)")
+  app.add_option("MESH", arguments->mesh,
+                 "The mesh, made by any program: .node, .ele, .msh, .vtu, .pvtu, .off, .vtk, .2dm,\n.gr3, .14; - is "
+                 "standard input "
+                 "(.msh, .vtu, .off, .vtk, .2dm)")
       ->required()
       ->type_name("");
-  add_goal_options(*app, arguments->goal, largest_angle_to_check);
-  app->add_option("--max-circumradius", arguments->max_circumradius, "No circumradius above this, compared exactly")
+  add_goal_options(app, arguments->goal, largest_angle_to_check);
+  app.add_option("--max-circumradius", arguments->max_circumradius, "No circumradius above this, compared exactly")
       ->check(positive_number("a radius"))
       ->type_name("LENGTH")
       ->group("Goal");
-  app->add_option("--json", arguments->json, "Write the certificate as JSON, with all violations; - is standard output")
+  app.add_option("--json", arguments->json, "Write the certificate as JSON, with all violations; - is standard output")
       ->type_name("FILE|-");
-  add_threads_option(*app, arguments->threads, "the certificate");
-  add_progress_option(*app, arguments->progress);
-  app->add_flag("-q,--quiet", arguments->quiet, "Print nothing on standard output except the certificate of --json -");
-  app->footer(
+  add_threads_option(app, arguments->threads, "the certificate");
+  add_progress_option(app, arguments->progress);
+  app.add_flag("-q,--quiet", arguments->quiet, "Print nothing on standard output except the certificate of --json -");
+  app.footer(
       "Exit status 0: the mesh is right; 1: it is wrong, and the violations are listed with their places.\n\n"
       "Example:\n  pardel check key.poly key.msh --min-angle 30 --max-area 0.001 --json certificate.json");
-  return {app, [arguments] { return run(*arguments); }};
+  return [arguments] { return run(*arguments); };
 }
 
 }  // namespace pardel::cli

@@ -11,18 +11,22 @@
 
 namespace pardel::cli {
 
-/// main() calls `run` when the command line contains the subcommand `app`. `run` owns the parsed arguments.
+/// Runs a command. It owns the parsed arguments.
+using Run = std::function<Result<ExitCode>()>;
+
+/// A command that has been added to a program: `run` is called when the command line contains the subcommand `app`.
 struct Command {
   CLI::App* app = nullptr;
-  std::function<Result<ExitCode>()> run;
+  Run run;
 };
 
-[[nodiscard]] Command add_mesh(CLI::App& program);
-[[nodiscard]] Command add_check(CLI::App& program);
-[[nodiscard]] Command add_convert(CLI::App& program);
-[[nodiscard]] Command add_doctor(CLI::App& program);
-[[nodiscard]] Command add_draw(CLI::App& program);
-[[nodiscard]] Command add_generate(CLI::App& program);
+// Each adds the options of its command to `app`.
+[[nodiscard]] Run mesh_command(CLI::App& app);
+[[nodiscard]] Run check_command(CLI::App& app);
+[[nodiscard]] Run convert_command(CLI::App& app);
+[[nodiscard]] Run doctor_command(CLI::App& app);
+[[nodiscard]] Run draw_command(CLI::App& app);
+[[nodiscard]] Run generate_command(CLI::App& app);
 
 /// `pardel triangle SWITCHES FILE` has Triangle's own syntax, so it parses its arguments itself.
 [[nodiscard]] Result<ExitCode> run_triangle(const std::vector<std::string>& arguments);

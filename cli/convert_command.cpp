@@ -129,24 +129,22 @@ Result<ExitCode> run(const ConvertArguments& arguments) {
 
 }  // namespace
 
-Command add_convert(CLI::App& program) {
+Run convert_command(CLI::App& app) {
   const auto arguments = std::make_shared<ConvertArguments>();
-  CLI::App* app = program.add_subcommand("convert", "Write a mesh or a domain in another format, without changing it");
-  app->add_option("IN", arguments->input,
-                  "A mesh (.node, .ele, .msh, .vtu, .pvtu, .off, .vtk, .2dm, .gr3, .14)\nor a domain (.poly, .node, "
-                  ".geojson); - "
-                  "is standard input")
+  app.add_option("IN", arguments->input,
+                 "A mesh (.node, .ele, .msh, .vtu, .pvtu, .off, .vtk, .2dm, .gr3, .14)\nor a domain (.poly, .node, "
+                 ".geojson); - "
+                 "is standard input")
       ->required()
       ->type_name("");
-  app->add_option(
-         "OUT", arguments->output,
-         "The file to write: .node, .ele, .msh, .vtu, .off, .vtk, .2dm, .gr3, .14 or .inp;\nfor a domain .poly")
+  app.add_option("OUT", arguments->output,
+                 "The file to write: .node, .ele, .msh, .vtu, .off, .vtk, .2dm, .gr3, .14 or .inp;\nfor a domain .poly")
       ->required()
       ->type_name("");
-  add_mesh_format_options(*app, arguments->format);
-  add_drop_option(*app, arguments->drop_unused);
-  app->add_flag("-q,--quiet", arguments->quiet, "Print nothing on standard output");
-  app->footer(
+  add_mesh_format_options(app, arguments->format);
+  add_drop_option(app, arguments->drop_unused);
+  app.add_flag("-q,--quiet", arguments->quiet, "Print nothing on standard output");
+  app.footer(
       R"(The numbering of the vertices (without --drop-unused), coordinates, regions, markers and constrained edges stay the same, and
 so do fields (values at points and in triangles) and names of regions and markers. A note on standard error names
 what the format of OUT cannot store. --open-boundary needs the markers that IN has.
@@ -155,7 +153,7 @@ Examples:
   pardel convert key.msh key.vtu
   pardel convert mesh.ele mesh.msh
   pardel convert key.msh hgrid.gr3 --open-boundary 2,3)");
-  return {app, [arguments] { return run(*arguments); }};
+  return [arguments] { return run(*arguments); };
 }
 
 }  // namespace pardel::cli

@@ -163,28 +163,27 @@ Result<ExitCode> run(const DoctorArguments& arguments) {
 
 }  // namespace
 
-Command add_doctor(CLI::App& program) {
+Run doctor_command(CLI::App& app) {
   const auto arguments = std::make_shared<DoctorArguments>();
-  CLI::App* app = program.add_subcommand("doctor", "List what is wrong with a domain, and repair it");
-  app->add_option("IN.poly", arguments->input, "The domain: .poly, .node or .geojson; - is standard input")
+  app.add_option("IN.poly", arguments->input, "The domain: .poly, .node or .geojson; - is standard input")
       ->required()
       ->type_name("");
   CLI::Option* repaired =
-      app->add_option("--repair", arguments->repaired,
-                      "Write a domain with points merged, segments split where they meet, and tiny gaps closed")
+      app.add_option("--repair", arguments->repaired,
+                     "Write a domain with points merged, segments split where they meet, and tiny gaps closed")
           ->type_name("OUT.poly");
-  add_snap_option(*app, arguments->snap, repaired);
-  app->add_flag("--convex-hull", arguments->convex_hull, "The domain is the convex hull; no outline is needed");
-  app->add_option("--json", arguments->json, "Write the findings as JSON; - (or nothing) is standard output")
+  add_snap_option(app, arguments->snap, repaired);
+  app.add_flag("--convex-hull", arguments->convex_hull, "The domain is the convex hull; no outline is needed");
+  app.add_option("--json", arguments->json, "Write the findings as JSON; - (or nothing) is standard output")
       ->type_name("FILE|-")
       ->expected(0, 1)
       ->default_str("-");
-  app->add_flag("-q,--quiet", arguments->quiet, "Print nothing on standard output except the findings of --json");
-  app->footer(
+  app.add_flag("-q,--quiet", arguments->quiet, "Print nothing on standard output except the findings of --json");
+  app.footer(
       "Exit status 0: there is no problem (warnings do not count), or the repaired domain is written; 3: there are "
       "problems.\n\n"
       "Examples:\n  pardel doctor survey.poly\n  pardel doctor survey.poly --repair fixed.poly --snap 0.001");
-  return {app, [arguments] { return run(*arguments); }};
+  return [arguments] { return run(*arguments); };
 }
 
 }  // namespace pardel::cli

@@ -83,23 +83,24 @@ Status check_arguments(const DrawArguments& arguments) {
   return check_folder(arguments.output);
 }
 
-Canvas canvas_for(const DrawArguments& arguments, std::span<const Point> points) {
+Canvas canvas_for(const DrawArguments& arguments, const CairoLibrary& cairo, std::span<const Point> points) {
   const std::vector<double>& w = arguments.window;
   const Window window = w.empty() ? window_around(points) : Window{{w[0], w[1]}, {w[2], w[3]}};
   const PictureFormat format = format_of(arguments).value_or(PictureFormat::svg);
   const double pixels = arguments.pixels.value_or(format == PictureFormat::png ? 1600 : 1000);
-  return {arguments.output,
+  return {cairo,
+          arguments.output,
           window,
           {.format = format, .pixels = pixels, .legend = !arguments.no_legend, .cut = !w.empty()}};
 }
 
 std::string headline(const DrawArguments& arguments) { return valid_utf8(arguments.input.filename().string()); }
 
-Status draw(const DrawArguments& arguments, const Mesh& mesh, ProgressBar& bar) {
+Status draw(const DrawArguments& arguments, const CairoLibrary& cairo, const Mesh& mesh, ProgressBar& bar) {
   const Result<Colouring> coloured = colouring(mesh, arguments.by.value_or(ColourBy::region), arguments.report);
   if (!coloured) return coloured.error();
   bar.begin("drawing " + arguments.output.string());
-  Canvas canvas = canvas_for(arguments, mesh.points.span());
+  Canvas canvas = canvas_for(arguments, cairo, mesh.points.span());
   draw_mesh(canvas, mesh, *coloured);
   const std::vector<std::string> text = {headline(arguments), plural(mesh.points.size(), "vertex", "vertices"),
                                          plural(mesh.triangles.size(), "triangle")};
@@ -107,10 +108,10 @@ Status draw(const DrawArguments& arguments, const Mesh& mesh, ProgressBar& bar) 
   return canvas.finish();
 }
 
-Status draw(const DrawArguments& arguments, const Pslg& domain, ProgressBar& bar) {
+Status draw(const DrawArguments& arguments, const CairoLibrary& cairo, const Pslg& domain, ProgressBar& bar) {
   if (arguments.by) return usage(fmt::format("{}: --by needs a mesh, and this is a domain", arguments.input.string()));
   bar.begin("drawing " + arguments.output.string());
-  Canvas canvas = canvas_for(arguments, domain.points);
+  Canvas canvas = canvas_for(arguments, cairo, domain.points);
   draw_domain(canvas, domain);
   if (!arguments.no_legend) draw_legend(canvas, headline(arguments), domain);
   return canvas.finish();
@@ -118,49 +119,51 @@ Status draw(const DrawArguments& arguments, const Pslg& domain, ProgressBar& bar
 
 Result<ExitCode> run(const DrawArguments& arguments) {
   if (Status fine = check_arguments(arguments); !fine) return fine.error();
+  const Result<CairoLibrary> cairo = load_cairo();
+  if (!cairo) return cairo.error();
   ProgressBar bar(ShowProgress::automatic);
-  return with_domain_or_mesh(arguments.input, bar, [&](const auto& input) { return draw(arguments, input, bar); });
+  return with_domain_or_mesh(arguments.input, bar,
+                             [&](const auto& input) { return draw(arguments, *cairo, input, bar); });
 }
 
 }  // namespace
 
-Command add_draw(CLI::App& program) {
+Run draw_command(CLI::App& app) {
   const auto arguments = std::make_shared<DrawArguments>();
-  CLI::App* app = program.add_subcommand("draw", "Draw a domain or a mesh as SVG or PNG");
-  app->add_option("IN|MESH", arguments->input,
-                  "A domain (.poly, .node, .geojson) or a mesh (.node, .ele, .msh, .vtu, .pvtu, .off, .vtk,\n"
-                  ".2dm, .gr3, .14); - is standard input")
+  app.add_option("IN|MESH", arguments->input,
+                 "A domain (.poly, .node, .geojson) or a mesh (.node, .ele, .msh, .vtu, .pvtu, .off, .vtk,\n"
+                 ".2dm, .gr3, .14); - is standard input")
       ->required()
       ->type_name("");
-  app->add_option("OUT,-o,--output", arguments->output, "The picture to write: .svg or .png; - is standard output")
+  app.add_option("OUT,-o,--output", arguments->output, "The picture to write: .svg or .png; - is standard output")
       ->required()
       ->type_name("OUT");
-  app->add_option("--format", arguments->of_stream, "Format of the output - (standard output): png or svg")
+  app.add_option("--format", arguments->of_stream, "Format of the output - (standard output): png or svg")
       ->transform(choice(picture_format_names))
       ->type_name("FORMAT");
-  app->add_option("--by", arguments->by,
-                  "Colour triangles by quality (smallest angle), size (longest edge), region (the default), or by the "
-                  "tile,\nphase or thread that made them; a tile is a cell of the lattice or a leaf of the quadtree")
+  app.add_option("--by", arguments->by,
+                 "Colour triangles by quality (smallest angle), size (longest edge), region (the default), or by the "
+                 "tile,\nphase or thread that made them; a tile is a cell of the lattice or a leaf of the quadtree")
       ->transform(choice(colour_names))
       ->type_name("WHAT");
-  app->add_option("--report", arguments->report,
-                  "The report that pardel mesh --json wrote with the mesh, for tile, phase and thread")
+  app.add_option("--report", arguments->report,
+                 "The report that pardel mesh --json wrote with the mesh, for tile, phase and thread")
       ->type_name("FILE.json");
-  app->add_option("--window", arguments->window, "Draw only this rectangle of the plane")
+  app.add_option("--window", arguments->window, "Draw only this rectangle of the plane")
       ->delimiter(',')
       ->expected(4)
       ->type_name("X0,Y0,X1,Y1");
-  app->add_option("--pixels", arguments->pixels,
-                  "The longer side of the drawing (default: 1600 for .png, 1000 for .svg); lines and letters scale")
+  app.add_option("--pixels", arguments->pixels,
+                 "The longer side of the drawing (default: 1600 for .png, 1000 for .svg); lines and letters scale")
       ->check(CLI::Range(50, most_pixels).description(""))
       ->type_name("N");
-  app->add_flag("--no-legend", arguments->no_legend, "Draw no legend");
-  app->footer(R"(Examples:
+  app.add_flag("--no-legend", arguments->no_legend, "Draw no legend");
+  app.footer(R"(Examples:
   pardel draw key.1.ele key.svg
   pardel draw mesh.vtu mesh.png --by quality --window 0,0,1,0.5
   pardel mesh pipe.poly -o mesh.ele --max-area 1e-5 --threads 2 --json report.json
   pardel draw mesh.ele mesh.svg --by thread --report report.json)");
-  return {app, [arguments] { return run(*arguments); }};
+  return [arguments] { return run(*arguments); };
 }
 
 }  // namespace pardel::cli

@@ -74,28 +74,27 @@ std::string list_of_sizes() {
 
 }  // namespace
 
-Command add_generate(CLI::App& program) {
+Run generate_command(CLI::App& app) {
   const auto arguments = std::make_shared<GenerateArguments>();
-  CLI::App* app = program.add_subcommand("generate", "Write a named domain as a .poly file");
-  app->add_option("NAME", arguments->name, "The name of the domain")->required()->type_name("");
-  app->add_option("-n,--size", arguments->n,
-                  "The size of the domain, if it has one: how many points, teeth of a comb, cells, or decades of radii "
-                  "(0: the\ndefault)")
+  app.add_option("NAME", arguments->name, "The name of the domain")->required()->type_name("");
+  app.add_option("-n,--size", arguments->n,
+                 "The size of the domain, if it has one: how many points, teeth of a comb, cells, or decades of radii "
+                 "(0: the\ndefault)")
       ->type_name("N");
-  app->add_option("--seed", arguments->seed,
-                  "Seed of a random domain (default 1); a seed gives the same file on every machine")
+  app.add_option("--seed", arguments->seed,
+                 "Seed of a random domain (default 1); a seed gives the same file on every machine")
       ->check(whole_number())
       ->type_name("S");
-  app->add_option("-o,--output", arguments->output, "The file to write (required)")->required()->type_name("FILE.poly");
-  app->add_option("--sizes", arguments->sizes,
-                  "For radial: also write edge lengths that grow with the distance from the centre")
+  app.add_option("-o,--output", arguments->output, "The file to write (required)")->required()->type_name("FILE.poly");
+  app.add_option("--sizes", arguments->sizes,
+                 "For radial: also write edge lengths that grow with the distance from the centre")
       ->type_name("FILE");
-  app->add_option("--ratio", arguments->ratio, "For --sizes: edge length divided by distance (default 0.02)")
+  app.add_option("--ratio", arguments->ratio, "For --sizes: edge length divided by distance (default 0.02)")
       ->check(positive_number("a ratio"))
       ->type_name("R");
-  app->footer(list_of_names() + "\n" + list_of_sizes() +
-              "\n\nExample:\n  pardel generate points -n 100000 --seed 7 -o points.poly");
-  return {app, [arguments] { return run(*arguments); }};
+  app.footer(list_of_names() + "\n" + list_of_sizes() +
+             "\n\nExample:\n  pardel generate points -n 100000 --seed 7 -o points.poly");
+  return [arguments] { return run(*arguments); };
 }
 
 }  // namespace pardel::cli

@@ -55,6 +55,33 @@ constexpr std::array<AbsentOption, 2> options_of_pardel_mpi = {{
     {"mesh", "--pieces", "one process makes a mesh as a whole; 'pardel-mpi mesh --interior fill' makes it in pieces"},
 }};
 
+struct NamedCommand {
+  const char *name, *summary;
+  Run (*add_options)(CLI::App&);
+};
+
+constexpr std::array<NamedCommand, 6> commands = {{
+    {"mesh", "Make a guaranteed-quality mesh of a domain", mesh_command},
+    {"check", "Prove that a mesh is right for its domain, or list what is wrong", check_command},
+    {"convert", "Write a mesh or a domain in another format, without changing it", convert_command},
+    {"doctor", "List what is wrong with a domain, and repair it", doctor_command},
+    {"draw", "Draw a domain or a mesh as SVG or PNG", draw_command},
+    {"generate", "Write a named domain as a .poly file", generate_command},
+}};
+
+/// Adds all commands, for --help, and the options of the command that is called: those of all commands would take as
+/// long as a small mesh.
+Run add_commands(CLI::App& program, const std::string& called) {
+  Run run;
+  for (const NamedCommand& command : commands) {
+    CLI::App* app = program.add_subcommand(command.name, command.summary);
+    if (called == command.name) run = command.add_options(*app);
+  }
+  program.add_subcommand("triangle", triangle_summary);  // run() handles it before
+  program.add_subcommand("help", "Print the help of a command: pardel help COMMAND");
+  return run;
+}
+
 Result<ExitCode> run(std::vector<std::string> arguments) {
   expand_help(arguments);
   const std::string first = arguments.empty() ? std::string() : arguments.front();
@@ -69,10 +96,7 @@ Result<ExitCode> run(std::vector<std::string> arguments) {
   program.failure_message(
       [](const CLI::App* app, const CLI::Error& error) { return usage_message(app, error, options_of_pardel_mpi); });
   program.require_subcommand(1);
-  const std::array commands = {add_mesh(program),   add_check(program), add_convert(program),
-                               add_doctor(program), add_draw(program),  add_generate(program)};
-  program.add_subcommand("triangle", triangle_summary);  // listed in --help; handled above
-  program.add_subcommand("help", "Print the help of a command: pardel help COMMAND");
+  const Run run_command = add_commands(program, first);
 
   const auto is_named = [&](const CLI::App* command) { return command->check_name(first); };
   if (!first.empty() && first[0] != '-' && program.get_subcommands(is_named).empty())
@@ -83,10 +107,7 @@ Result<ExitCode> run(std::vector<std::string> arguments) {
   } catch (const CLI::ParseError& stop) {  // also --help and --version
     return program.exit(stop) == 0 ? ExitCode::done : ExitCode::usage;
   }
-  for (const Command& command : commands) {
-    if (command.app->parsed()) return command.run();
-  }
-  return ExitCode::usage;
+  return run_command ? run_command() : ExitCode::usage;
 }
 
 /// An error of standard output, such as a full disk, becomes visible only when the buffer is flushed.

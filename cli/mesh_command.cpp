@@ -256,11 +256,10 @@ Result<ExitCode> run(MeshArguments& arguments) {
 
 }  // namespace
 
-Command add_mesh(CLI::App& program) {
+Run mesh_command(CLI::App& app) {
   const auto arguments = std::make_shared<MeshArguments>();
-  CLI::App* app = program.add_subcommand("mesh", "Make a guaranteed-quality mesh of a domain");
-  add_mesh_options(*app, *arguments);
-  return {app, [arguments] { return run(*arguments); }};
+  add_mesh_options(app, *arguments);
+  return [arguments] { return run(*arguments); };
 }
 
 }  // namespace pardel::cli

@@ -1,8 +1,6 @@
 // A picture under construction: maps the plane to the picture, draws with cairo, and writes SVG or PNG.
 #pragma once
 
-#include <cairo.h>
-
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -13,6 +11,7 @@
 #include "../../core/pslg.hpp"
 #include "../../core/result.hpp"
 #include "../../core/support/output_file.hpp"
+#include "cairo_library.hpp"
 #include "colour.hpp"
 
 namespace pardel::cli {
@@ -37,7 +36,7 @@ struct Layout {
 
 class Canvas {
  public:
-  Canvas(const std::filesystem::path& file, const Window& window, const Layout& layout);
+  Canvas(const CairoLibrary& cairo, const std::filesystem::path& file, const Window& window, const Layout& layout);
 
   /// The length that line widths and letters are multiples of: a thousandth of the longer side of the drawing.
   [[nodiscard]] double unit() const { return unit_; }
@@ -60,27 +59,33 @@ class Canvas {
   /// Draws an image over the whole drawing. `pixels`: rows from the top, premultiplied ARGB.
   void paint(std::vector<std::uint32_t>& pixels, int columns, int rows);
 
-  /// From now on nothing is clipped, and places are those of the picture: for the legend.
+  /// A path of the picture; its places are those that at() returns.
+  void move_to(Point place);
+  void line_to(Point place);
+  void close_path();
+  /// Fill the path with smooth sides. The first one keeps it, to be stroked, too.
+  void fill_and_keep(Colour colour);
+  void fill_smoothly(Colour colour);
+  /// A line of text that begins at the place.
+  void write(const std::string& text, Point place, double height, Colour colour);
+
+  /// From now on nothing is clipped: for the legend.
   void leave_drawing();
-  [[nodiscard]] cairo_t* context() const { return context_.get(); }
 
   /// Completes the file.
   [[nodiscard]] Status finish();
 
  private:
-  struct Destroy {
-    void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
-    void operator()(cairo_t* context) const { cairo_destroy(context); }
-  };
   [[nodiscard]] bool outside(std::span<const Point> corners) const;
 
+  CairoLibrary cairo_;
   OutputFile out_;
   std::string name_;
   bool png_;
   Window window_;
   double unit_, scale_, width_, height_;
-  std::unique_ptr<cairo_surface_t, Destroy> surface_;
-  std::unique_ptr<cairo_t, Destroy> context_;
+  std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> surface_;
+  std::unique_ptr<cairo_t, decltype(&cairo_destroy)> context_;
 };
 
 }  // namespace pardel::cli

@@ -16,10 +16,6 @@ constexpr Colour point_colour{0.125, 0.314, 0.565};
 constexpr Colour hole_colour{0.753, 0.125, 0.125};
 constexpr Colour region_colour{0.125, 0.502, 0.251};
 
-void set_colour(Canvas& canvas, Colour colour) {
-  cairo_set_source_rgb(canvas.context(), colour.red, colour.green, colour.blue);
-}
-
 /// Many points get smaller dots, so that together they cover at most a tenth of the drawing.
 double radius_of_dots(const Canvas& canvas, std::size_t points) {
   const double area = std::max(canvas.width() * canvas.height(), canvas.unit());
@@ -29,43 +25,40 @@ double radius_of_dots(const Canvas& canvas, std::size_t points) {
 }
 
 void draw_regions(Canvas& canvas, const Pslg& pslg) {
-  cairo_set_font_size(canvas.context(), 16 * canvas.unit());
   for (const Region& region : pslg.regions) {
     if (!canvas.contains(region.seed)) continue;
     const Point place = canvas.at(region.seed);
     draw_diamond(canvas, place);
-    cairo_move_to(canvas.context(), place.x + 10 * canvas.unit(), place.y + 5 * canvas.unit());
-    cairo_show_text(canvas.context(), fmt::format("{:g}", region.attribute).c_str());
-    cairo_new_path(canvas.context());
+    canvas.write(fmt::format("{:g}", region.attribute), {place.x + 10 * canvas.unit(), place.y + 5 * canvas.unit()},
+                 16 * canvas.unit(), region_colour);
   }
 }
 
 }  // namespace
 
 void draw_dot(Canvas& canvas, Point place, double radius) {
-  cairo_move_to(canvas.context(), place.x, place.y);
-  cairo_line_to(canvas.context(), place.x, place.y);
+  canvas.move_to(place);
+  canvas.line_to(place);
   canvas.stroke(point_colour, 2 * radius);
 }
 
 void draw_cross(Canvas& canvas, Point place) {
   const double arm = 6 * canvas.unit();
   for (const double side : {-arm, arm}) {
-    cairo_move_to(canvas.context(), place.x - arm, place.y - side);
-    cairo_line_to(canvas.context(), place.x + arm, place.y + side);
+    canvas.move_to({place.x - arm, place.y - side});
+    canvas.line_to({place.x + arm, place.y + side});
   }
   canvas.stroke(hole_colour, 2.5 * canvas.unit());
 }
 
 void draw_diamond(Canvas& canvas, Point place) {
   const double half = 6.5 * canvas.unit();
-  cairo_move_to(canvas.context(), place.x, place.y - half);
-  cairo_line_to(canvas.context(), place.x + half, place.y);
-  cairo_line_to(canvas.context(), place.x, place.y + half);
-  cairo_line_to(canvas.context(), place.x - half, place.y);
-  cairo_close_path(canvas.context());
-  set_colour(canvas, region_colour);
-  cairo_fill(canvas.context());
+  canvas.move_to({place.x, place.y - half});
+  canvas.line_to({place.x + half, place.y});
+  canvas.line_to({place.x, place.y + half});
+  canvas.line_to({place.x - half, place.y});
+  canvas.close_path();
+  canvas.fill_smoothly(region_colour);
 }
 
 void draw_domain(Canvas& canvas, const Pslg& pslg) {

@@ -19,21 +19,19 @@ class Column {
   explicit Column(Canvas& canvas)
       : canvas_(canvas), x_(canvas.width() + 3 * canvas.margin()), y_(canvas.margin() + 16 * canvas.unit()) {
     canvas.leave_drawing();
-    cairo_select_font_face(canvas.context(), "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
   }
 
   void text(const std::string& line, double size = 15, double indent = 0) {
-    cairo_set_font_size(canvas_.context(), size * canvas_.unit());
-    cairo_set_source_rgb(canvas_.context(), 0.15, 0.15, 0.15);
-    cairo_move_to(canvas_.context(), x_ + indent * canvas_.unit(), y_);
-    cairo_show_text(canvas_.context(), shortened(line).c_str());
-    cairo_new_path(canvas_.context());
+    canvas_.write(shortened(line), {x_ + indent * canvas_.unit(), y_}, size * canvas_.unit(), {0.15, 0.15, 0.15});
   }
   void box(Colour colour, double width, double height) {
     const double u = canvas_.unit();
-    cairo_rectangle(canvas_.context(), x_, y_ - height * u, width * u, height * u);
-    cairo_set_source_rgb(canvas_.context(), colour.red, colour.green, colour.blue);
-    cairo_fill_preserve(canvas_.context());
+    canvas_.move_to({x_, y_ - height * u});
+    canvas_.line_to({x_ + width * u, y_ - height * u});
+    canvas_.line_to({x_ + width * u, y_});
+    canvas_.line_to({x_, y_});
+    canvas_.close_path();
+    canvas_.fill_and_keep(colour);
     canvas_.stroke(edge_colour, 0.5 * u);
   }
   void down(double units) { y_ += units * canvas_.unit(); }
@@ -103,8 +101,8 @@ void draw_legend(Canvas& canvas, const std::string& headline, const Pslg& pslg) 
   };
   entry(pslg.points.size(), "point", [&](Point p) { draw_dot(canvas, p, 3 * canvas.unit()); });
   entry(pslg.segments.size(), "segment", [&](Point p) {
-    cairo_move_to(canvas.context(), p.x - 8 * canvas.unit(), p.y);
-    cairo_line_to(canvas.context(), p.x + 8 * canvas.unit(), p.y);
+    canvas.move_to({p.x - 8 * canvas.unit(), p.y});
+    canvas.line_to({p.x + 8 * canvas.unit(), p.y});
     canvas.stroke(segment_colour, 1.8 * canvas.unit());
   });
   entry(pslg.holes.size(), "hole", [&](Point p) { draw_cross(canvas, p); });
