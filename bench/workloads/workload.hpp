@@ -52,6 +52,7 @@ struct Workload {
 [[nodiscard]] Job mixed_predicates(const Setup& setup);
 [[nodiscard]] std::span<const Workload> of_predicates();
 [[nodiscard]] std::span<const Workload> of_meshes();
+[[nodiscard]] std::span<const Workload> of_small_meshes();
 [[nodiscard]] std::span<const Workload> of_files();
 [[nodiscard]] std::span<const Workload> of_input_files();
 
