@@ -54,16 +54,22 @@ def compile_module(folder, build):
     run("cmake", "--install", build, "--component", "python", "--prefix", folder, "--strip")
 
 
+def files_in(package):
+    """All files of a package and of the packages in it: their names in a wheel, and where they are."""
+    return {"pardel/" + each.relative_to(package).as_posix(): each
+            for each in package.rglob("*") if each.is_file() and "__pycache__" not in each.parts}
+
+
 def files_of_package(folder, settings):
     """The files of the wheel: their names in it, and where they are."""
     if "module" in settings:
         module = pathlib.Path(settings["module"])
-        found = {"pardel/" + each.name: each for each in [*PACKAGE.iterdir(), module] if each.is_file()}
+        found = files_in(PACKAGE) | {"pardel/" + module.name: module}
     else:
         build = settings.get("build-dir")
         with tempfile.TemporaryDirectory() as temporary:
             compile_module(folder, pathlib.Path(build).resolve() if build else temporary)
-        found = {"pardel/" + each.name: each for each in (folder / "pardel").iterdir() if each.is_file()}
+        found = files_in(folder / "pardel")
     return dict(sorted(found.items()))
 
 

@@ -10,6 +10,7 @@ True
 from ._mesh import Mesh, Quality
 from ._pardel import version as __version__
 from .checking import Certificate, Extreme, Violation, check
+from .diagram import Voronoi, voronoi
 from .domain import Domain
 from .errors import Cancelled, Error, FileError, InternalError, InvalidInput, Problem, ResourceError, UsageError
 from .files import read, write
@@ -21,6 +22,6 @@ from .validation import Repaired, repair, validate
 __all__ = [
     "Cancelled", "Certificate", "Domain", "Error", "Exemption", "Exemptions", "Extreme", "FileError", "Gap",
     "InternalError", "InvalidInput", "Mesh", "Problem", "Quality", "Repaired", "Report", "ResourceError", "UsageError",
-    "Violation", "__version__", "check", "convex_hull", "delaunay", "mesh", "polygon", "read", "refine", "repair",
-    "validate", "write",
+    "Violation", "Voronoi", "__version__", "check", "convex_hull", "delaunay", "mesh", "polygon", "read", "refine",
+    "repair", "validate", "voronoi", "write",
 ]

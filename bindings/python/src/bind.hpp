@@ -11,5 +11,7 @@ void bind_mesh(pybind11::module_& module);
 void bind_mesher(pybind11::module_& module);
 void bind_checker(pybind11::module_& module);
 void bind_files(pybind11::module_& module);
+void bind_parts(pybind11::module_& module);
+void bind_voronoi(pybind11::module_& module);
 
 }  // namespace pardel::python

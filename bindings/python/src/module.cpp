@@ -13,5 +13,7 @@ PYBIND11_MODULE(_pardel, module) {
   bind_mesher(module);
   bind_checker(module);
   bind_files(module);
+  bind_parts(module);
+  bind_voronoi(module);
   module.attr("version") = PARDEL_VERSION;
 }
