@@ -11,7 +11,6 @@ import numpy.typing as npt
 
 from . import _pardel, arrays
 from ._mesh import Indices, Mesh, Numbers
-from .errors import InvalidInput
 from .meshing import delaunay
 
 # Below this sine of the largest angle, a circumcentre is computed in rational arithmetic.
@@ -51,7 +50,7 @@ def voronoi(points: npt.ArrayLike) -> Voronoi:
     """The Voronoi diagram of points.
 
     points: shape (n, 2), any unit: at least three that are not on one line, each once. O(n log n).
-    Raises `UsageError`; `InvalidInput` as for `delaunay`, or if a vertex is too far away for a float.
+    Raises `UsageError`, and `InvalidInput` as `delaunay` does.
 
     >>> diagram = voronoi([(0, 0), (2, 0), (2, 2), (0, 2), (1, 1)])
     >>> diagram
@@ -100,12 +99,9 @@ def _exact_circumcentre(corners: Numbers) -> Tuple[float, float]:
     ax, ay, bx, by = ax - x, ay - y, bx - x, by - y
     a_squared, b_squared = ax * ax + ay * ay, bx * bx + by * by
     divisor = 2 * (ax * by - ay * bx)
-    try:
-        return (float(x + (by * a_squared - ay * b_squared) / divisor),
-                float(y + (ax * b_squared - bx * a_squared) / divisor))
-    except OverflowError:
-        raise InvalidInput(f"the circumcentre of the points {corners.tolist()}, a vertex of the Voronoi diagram, is "
-                           f"too far away for a float") from None
+    # Coordinates are at most 2^200 and have 53 bits, so this is below 2^700.
+    return (float(x + (by * a_squared - ay * b_squared) / divisor),
+            float(y + (ax * b_squared - bx * a_squared) / divisor))
 
 
 def _first_of_circle(count: int, same: Indices) -> npt.NDArray[np.int64]:

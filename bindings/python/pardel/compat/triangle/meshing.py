@@ -49,7 +49,7 @@ def meshed(given: Given, switches: Switches) -> Made:
     if switches.check:
         _check(domain, mesh, switches, convex_hull)
     made = Made(mesh, point_map)
-    if switches.region_attributes:
+    if switches.region_attributes and len(given.rows("regions", 4)):
         values = np.append(mesh.region_attributes, 0.0)  # the last one is that of no region
         rows = mesh.regions if len(mesh.regions) else np.full(len(mesh.triangles), -1)
         made.triangle_attributes = values[rows].reshape(-1, 1)

@@ -26,7 +26,7 @@ class Switches:
     edges: bool = False                # e
     neighbors: bool = False            # n
     no_markers: bool = False           # B
-    no_poly: bool = False              # P or I
+    no_poly: bool = False              # P
     no_node: bool = False              # N
     no_ele: bool = False               # E
     no_holes: bool = False             # O
@@ -36,15 +36,17 @@ class Switches:
     check: bool = False                # C
 
 
+_LARGEST_ANGLE = 45
+
 _FLAGS: Dict[str, Tuple[str, ...]] = {
     "p": ("poly",), "r": ("refine",), "A": ("region_attributes",), "c": ("convex_hull",), "j": ("jettison",),
-    "e": ("edges",), "n": ("neighbors",), "B": ("no_markers",), "P": ("no_poly",), "I": ("no_poly",), "N": ("no_node",),
+    "e": ("edges",), "n": ("neighbors",), "B": ("no_markers",), "P": ("no_poly",), "N": ("no_node",),
     "E": ("no_ele",), "O": ("no_holes",), "C": ("check",), "D": ("quality", "conforming"),
     "L": ("quality", "conforming"),
 }
-# z, Q: the wrapper always sets them. v: `voronoi` returns the diagram. V: nothing is printed. g: a file.
+# z, Q: the wrapper always sets them. v: `voronoi` returns the diagram. V: nothing is printed. g, I: about files.
 # i, F, l, s, X: they choose among Triangle's own algorithms; predicates are exact here.
-_WITHOUT_EFFECT = "zQvVgiFlsX"
+_WITHOUT_EFFECT = "zQvVgIiFlsX"
 _REFUSED = {"u": "a test of triangles that Triangle has to be compiled with; pardel.mesh(size=function) has one",
             "w": "a weighted Delaunay triangulation", "W": "a weighted Delaunay triangulation",
             "h": "the help of the program"}
@@ -94,8 +96,10 @@ def _with_number(switches: Switches, letter: str, opts: str, place: int) -> int:
         value = float(found.group())
     except ValueError:
         raise UsageError(f"opts {opts!r}: {found.group()!r} after the switch {letter} is not a number") from None
-    if letter == "q":
+    if letter == "q" and value <= _LARGEST_ANGLE:
         switches.min_angle = value
+    elif letter == "q":
+        raise UsageError(f"opts {opts!r}: the smallest angle after the switch q is at most {_LARGEST_ANGLE} degrees")
     elif value > 0:
         switches.max_area = value
     else:

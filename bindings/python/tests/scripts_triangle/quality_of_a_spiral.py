@@ -1,0 +1,14 @@
+"""Meshes of a spiral with larger and larger smallest angles, and a table of them."""
+import numpy as np
+
+import pardel.compat.triangle as tr
+
+spiral = tr.get_data("spiral")
+table = []
+for opts in ("", "q", "q25", "q30", "q32.5"):
+    mesh = tr.triangulate(spiral, opts)
+    p = mesh["vertices"][mesh["triangles"]]
+    sides = np.linalg.norm(np.roll(p, -1, axis=1) - p, axis=2)
+    a, b, c = sides.T
+    cosines = [(b**2 + c**2 - a**2) / (2 * b * c), (c**2 + a**2 - b**2) / (2 * c * a), (a**2 + b**2 - c**2) / (2 * a * b)]
+    table.append((opts, len(mesh["triangles"]), np.degrees(np.arccos(np.max(cosines)))))
