@@ -39,8 +39,6 @@ py::array_t<bool> cocircular_sides(const HeldMesh& held) {
 
 }  // namespace
 
-void bind_voronoi(py::module_& module) {
-  module.def("cocircular_sides", &cocircular_sides, py::arg("mesh"));
-}
+void bind_voronoi(py::module_& module) { module.def("cocircular_sides", &cocircular_sides, py::arg("mesh")); }
 
 }  // namespace pardel::python

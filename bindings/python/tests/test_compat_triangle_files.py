@@ -2,6 +2,8 @@
 
 import doctest
 import importlib
+import os
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -39,6 +41,12 @@ def test_the_examples_of_docstrings_are_true(name):
     assert tried > 0 and failed == 0
 
 
+def test_the_examples_of_the_page_are_true():
+    source = Path(os.environ.get("PARDEL_SOURCE", Path(__file__).resolve().parents[3]))
+    failed, tried = doctest.testfile(str(source / "docs/python_triangle.md"), module_relative=False)
+    assert tried > 5 and failed == 0
+
+
 def test_every_name_has_a_docstring():
     assert all(getattr(tr, name).__doc__ for name in tr.__all__)
 
@@ -67,7 +75,7 @@ def test_all_six_kinds_of_files_are_read(tmp_path):
     (tmp_path / "square.edge").write_text(f"{len(square.edges)} 1\n" + "".join(
         f"{k} {a + 1} {b + 1} {m}\n" for k, ((a, b), m) in enumerate(zip(square.edges, square.edge_markers))))
     (tmp_path / "square.neigh").write_text(f"{len(square.triangles)} 3\n" + "".join(
-        f"{k} {a} {b} {c}\n" for k, (a, b, c) in enumerate(np.where(square.neighbors < 0, -1, square.neighbors + 1))))
+        f"{k} {a} {b} {c}\n" for k, (a, b, c) in enumerate(square.neighbors + (square.neighbors >= 0))))
     found = tr.load(tmp_path, "square")
     assert np.array_equal(found["vertices"], square.points) and np.array_equal(found["triangles"], square.triangles)
     assert np.array_equal(found["edges"], square.edges) and np.array_equal(found["triangle_neighbors"], square.neighbors)

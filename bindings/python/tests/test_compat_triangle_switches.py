@@ -22,7 +22,8 @@ def areas(made):
 @pytest.mark.parametrize("opts, bounds", [
     ("pq", dict(min_angle=20)), ("pq31.5a.01", dict(min_angle=31.5, max_area=0.01)), ("pa0.01", dict(max_area=0.01)),
     ("qa0.02", dict(min_angle=20, max_area=0.02)), ("pD", dict(conforming=True)), ("pq34", dict(min_angle=34)),
-    ("pqa0.01D", dict(min_angle=20, max_area=0.01, conforming=True)), ("pq a0.05 -C", dict(min_angle=20, max_area=0.05))])
+    ("pqa0.01D", dict(min_angle=20, max_area=0.01, conforming=True)),
+    ("pq a0.05 -C", dict(min_angle=20, max_area=0.05))])
 def test_the_bounds_of_the_switches_hold(opts, bounds):
     made = tr.triangulate(SQUARE, opts)
     assert pardel.check(DOMAIN, (made["vertices"], made["triangles"]), **{"min_angle": 0, **bounds}).valid
@@ -106,8 +107,9 @@ def test_any_switches_give_a_mesh_or_a_clear_error(opts):
 
 @pytest.mark.parametrize("opts, message", [
     ("pu", "the switch u is not supported: a test of triangles"), ("w", "the switch w is not supported"),
-    ("pk", "'k' is not a switch of Triangle"), ("a0", "must be greater than 0"), ("pa1.2.3", "'1.2.3' after the switch a"),
-    ("q.", "'.' after the switch q is not a number"), ("q50S5", "at most 45 degrees"), ("r", "tri has no triangles to refine"),
+    ("pk", "'k' is not a switch of Triangle"), ("a0", "must be greater than 0"),
+    ("pa1.2.3", "'1.2.3' after the switch a"), ("q.", "'.' after the switch q is not a number"),
+    ("q50S5", "at most 45 degrees"), ("r", "tri has no triangles to refine"),
     ("rC", "the switch C is not supported beside r"), (7, "opts is 7; a string"),
     ("pq44.9a0.01", "the smallest angle of 44.9 degrees needs more than")])
 def test_what_cannot_be_done_is_an_error_that_names_the_switch(opts, message):

@@ -50,7 +50,8 @@ def test_every_public_name_is_on_the_page():
 
 
 def test_the_package_prints_nothing_and_does_not_end_the_process():
-    sources = [path.read_text() for path in (SOURCE / "bindings/python").glob("[ps]*/*.[pc]*")]
+    folder = SOURCE / "bindings/python"
+    sources = [path.read_text() for path in [*folder.glob("[ps]*/*.[pc]*"), *folder.glob("pardel/*/**/*.py")]]
     code = re.sub(r">>> .*|\.\.\. .*", "", "\n".join(sources))
     assert not re.search(r"\bprint\(|\bexit\(|std::cerr|std::cout|printf", code.replace("for problem in", ""))
 
@@ -119,6 +120,8 @@ def check_installed(python, folder):
     assert valid == "True" and Path(file).is_relative_to(python.parents[1]) and version == pardel.__version__
     installed = Path(file).parent
     assert (installed / "py.typed").exists() and (installed / "_pardel.pyi").exists()
+    run(python, "-c", "import pardel.compat.triangle as tr; tr.triangulate(tr.get_data('A'), 'pq')", cwd=folder,
+        env=environment)
     run(python, "-m", "pip", "uninstall", "--yes", "pardel", cwd=folder, env=environment)
     assert not (installed / "__init__.py").exists()
 

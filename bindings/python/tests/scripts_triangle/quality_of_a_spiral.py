@@ -10,5 +10,5 @@ for opts in ("", "q", "q25", "q30", "q32.5"):
     p = mesh["vertices"][mesh["triangles"]]
     sides = np.linalg.norm(np.roll(p, -1, axis=1) - p, axis=2)
     a, b, c = sides.T
-    cosines = [(b**2 + c**2 - a**2) / (2 * b * c), (c**2 + a**2 - b**2) / (2 * c * a), (a**2 + b**2 - c**2) / (2 * a * b)]
+    cosines = [(y**2 + z**2 - x**2) / (2 * y * z) for x, y, z in ((a, b, c), (b, c, a), (c, a, b))]
     table.append((opts, len(mesh["triangles"]), np.degrees(np.arccos(np.max(cosines)))))

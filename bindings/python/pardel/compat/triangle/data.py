@@ -12,7 +12,8 @@ from .triangulation import triangulate
 # A name, of which the mesh is made, and the switches that make it.
 _MESHES: Dict[str, Tuple[str, str]] = {
     "A.1": ("A", "p"),
-    "box.1": ("box", "pc"), "box.2": ("box.1", "rpa0.2"), "box.3": ("box.2", "rpa0.05"), "box.4": ("box.3", "rpa0.0125"),
+    "box.1": ("box", "pc"), "box.2": ("box.1", "rpa0.2"), "box.3": ("box.2", "rpa0.05"),
+    "box.4": ("box.3", "rpa0.0125"),
     "diamond_02_00009.1": ("diamond_02_00009", ""),
     "double_hex.1": ("double_hex", "p"), "double_hex.2": ("double_hex", "pqYa0.0015"),
     "double_hex2.1": ("double_hex2", "p"), "double_hex2.2": ("double_hex2", "pqYa0.006"),

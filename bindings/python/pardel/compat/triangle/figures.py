@@ -86,7 +86,8 @@ def square_with_circle() -> Dictionary:
 
 def face() -> Dictionary:
     """A face: two eyes and a mouth are holes, the nose is an open polyline."""
-    mouth = [(-0.5, -0.4), (-0.25, -0.6), (0, -0.66), (0.25, -0.6), (0.5, -0.4), (0.22, -0.48), (0, -0.5), (-0.22, -0.48)]
+    mouth = [(-0.5, -0.4), (-0.25, -0.6), (0, -0.66), (0.25, -0.6), (0.5, -0.4), (0.22, -0.48), (0, -0.5),
+             (-0.22, -0.48)]
     figure = _domain([_ring(0, 0, 1, 40, height=1.2), _ring(-0.38, 0.35, 0.16, 12, height=0.6),
                       _ring(0.38, 0.35, 0.16, 12, height=0.6), mouth], [(-0.38, 0.35), (0.38, 0.35), (0, -0.58)])
     first = len(figure["vertices"])
