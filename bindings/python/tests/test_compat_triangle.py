@@ -171,6 +171,12 @@ def test_crossing_segments_get_a_common_vertex_behind_the_given_ones():
     assert checked(dict(vertices=made["vertices"], segments=made["segments"]), made)
 
 
+def test_vertices_that_nearly_coincide_stay_apart():
+    near = np.nextafter(0.5, 1)
+    made = tr.triangulate(dict(vertices=[*SQUARE, [0.5, 0.5], [near, 0.5], [1, 1]], segments=SIDES), "p")
+    assert sorted(set(made["triangles"].ravel())) == [0, 1, 2, 3, 4, 5]
+
+
 def test_two_regions_in_one_face_mean_the_last_one():
     made = tr.triangulate(dict(vertices=SQUARE, segments=SIDES, regions=[(0.5, 0.4, 1, 0), (0.5, 0.5, 2, 0)]), "pA")
     assert set(made["triangle_attributes"].ravel()) == {2}

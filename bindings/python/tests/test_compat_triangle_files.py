@@ -78,7 +78,8 @@ def test_all_six_kinds_of_files_are_read(tmp_path):
         f"{k} {a} {b} {c}\n" for k, (a, b, c) in enumerate(square.neighbors + (square.neighbors >= 0))))
     found = tr.load(tmp_path, "square")
     assert np.array_equal(found["vertices"], square.points) and np.array_equal(found["triangles"], square.triangles)
-    assert np.array_equal(found["edges"], square.edges) and np.array_equal(found["triangle_neighbors"], square.neighbors)
+    assert np.array_equal(found["edges"], square.edges)
+    assert np.array_equal(found["triangle_neighbors"], square.neighbors)
     assert found["edge_markers"].ravel().tolist() == square.edge_markers.tolist()
     assert found["triangle_max_area"][3].tolist() == [0.03]
     assert len(tr.triangulate(found, "ra")["triangles"]) > len(square.triangles)

@@ -29,6 +29,26 @@ def test_the_bounds_of_the_switches_hold(opts, bounds):
     assert pardel.check(DOMAIN, (made["vertices"], made["triangles"]), **{"min_angle": 0, **bounds}).valid
 
 
+def test_segments_are_split_for_a_conforming_mesh_alone():
+    inner = [[0.1, 0.5], [0.9, 0.5], [0.5, 0.51], [0.5, 0.49]]
+    tri = dict(vertices=[*SQUARE["vertices"], *inner], segments=[*SQUARE["segments"], [4, 5]])
+    domain = pardel.Domain(tri["vertices"], tri["segments"])
+    for opts, is_conforming in (("p", False), ("pD", True)):
+        made = tr.triangulate(tri, opts)
+        certificate = pardel.check(domain, (made["vertices"], made["triangles"]), min_angle=0, conforming=True)
+        assert certificate.valid == is_conforming
+
+
+@pytest.mark.parametrize("opts", ["pq30a0.01C", "pa0.01YC", "pcDC"])
+def test_upper_c_asks_the_checker(opts, monkeypatch):
+    tr.triangulate(SQUARE, opts)
+    wrong = pardel.check(DOMAIN, pardel.Mesh(DOMAIN.points, [(0, 1, 2)]), min_angle=0)
+    monkeypatch.setattr("pardel.checking.check", lambda *_, **__: wrong)
+    tr.triangulate(SQUARE, opts.replace("C", ""))
+    with pytest.raises(pardel.InternalError, match="the mesh is wrong: uncovered_domain"):
+        tr.triangulate(SQUARE, opts)
+
+
 def test_a_small_area_in_the_notation_of_python_is_one_number():
     assert parsed(f"pqa{1e-05}e").max_area == 1e-05 and parsed(f"pqa{1e-05}e").edges
     assert parsed("a0.1e").max_area == 0.1 and parsed("a0.1e").edges

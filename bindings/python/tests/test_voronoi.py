@@ -99,6 +99,19 @@ def test_cocircular_sites_share_one_place():
     assert diagram.has_length.tolist() == [False] and len(diagram.ray_origins) == 4
 
 
+def test_the_corners_of_rectangles_are_cocircular_and_share_one_place():
+    x, y = np.random.default_rng(3).random((2, 9)).cumsum(axis=1)
+    diagram = pardel.voronoi(np.stack(np.meshgrid(x, y), axis=-1).reshape(-1, 2))
+    same = diagram.edges[~diagram.has_length]
+    assert len(same) == 64 and np.array_equal(diagram.vertices[same[:, 0]], diagram.vertices[same[:, 1]])
+
+
+def test_a_needle_has_an_accurate_circumcentre():
+    points = np.array([(0.1, 0.3), (0.9, 0.8), (0.9 - 3e-8, 0.8 + 5e-8)])
+    (vertex,), exact = pardel.voronoi(points).vertices, exact_circumcentre(points)
+    assert vertex.tolist() == pytest.approx([float(c) for c in exact], rel=1e-14)
+
+
 def test_a_nearly_cocircular_edge_has_length():
     diagram = pardel.voronoi([(1, 0), (0, 1), (-1, 0), (0, np.nextafter(-1, -2))])
     assert diagram.has_length.tolist() == [True]
@@ -111,12 +124,14 @@ def test_all_points_of_a_circle_give_one_place():
     assert len(points) == 12 and not diagram.has_length.any() and not diagram.vertices.any()
 
 
-def test_a_flat_triangle_has_an_accurate_circumcentre():
-    points = np.array([(0, 0), (1, 1e-17), (2, 0), (1, 5)])
+@pytest.mark.parametrize("flat", [[(0, 0), (1, 1e-17), (2, 0), (1, 5)],
+                                  [(0, 0), (1, 1 / 3), (3, 1 - 2**-50), (1, 5)]])
+def test_a_flat_triangle_has_an_accurate_circumcentre(flat):
+    points = np.array(flat)
     diagram = pardel.voronoi(points)
     for corners, vertex in zip(diagram.delaunay.triangles, diagram.vertices):
         assert vertex.tolist() == pytest.approx([float(c) for c in exact_circumcentre(points[corners])], rel=1e-9)
-    assert np.abs(diagram.vertices).max() > 1e16
+    assert np.abs(diagram.vertices).max() > 1e14
 
 
 def test_the_largest_coordinates_and_the_flattest_triangle_overflow_nothing():

@@ -155,7 +155,7 @@ def _check(domain: Domain, mesh: Mesh, switches: Switches, convex_hull: bool) ->
         min_angle=switches.min_angle if met else 0, max_area=switches.max_area if met else None,
         conforming=switches.conforming and met, convex_hull=convex_hull)
     if not certificate.valid:
-        raise InternalError(f"the mesh is wrong: {certificate}")
+        raise InternalError(f"the mesh is wrong: {certificate.violations[0]}")
 
 
 def _check_segments(segments: npt.NDArray[np.int64], corners: npt.NDArray[np.int64], points: int) -> None:

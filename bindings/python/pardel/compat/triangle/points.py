@@ -55,6 +55,6 @@ def voronoi(pts: npt.ArrayLike) -> Tuple[Numbers, Integers, Integers, Numbers]:
 def _distinct(pts: npt.ArrayLike) -> Tuple[Numbers, Integers]:
     """The points without those that repeat an earlier one, and the number of each."""
     points = at_least_three(pts, "pts")
-    _, first = np.unique(points + 0.0, axis=0, return_index=True)
+    _, first = np.unique(points, axis=0, return_index=True)
     number = np.sort(first).astype(np.int32)
     return points[number], number
