@@ -1,7 +1,5 @@
 #include "mesh_options.hpp"
 
-#include <omp.h>
-
 #include <CLI/CLI.hpp>
 #include <array>
 #include <string>
@@ -213,7 +211,7 @@ Status complete_options(MeshArguments& arguments) {
     return Error{ErrorKind::usage, "--mesher cannot be used with --refine"};
   if (Status fits = check_use(arguments.mesher, options, !arguments.cells.empty()); !fits) return fits;
   use_threads(arguments.threads);
-  options.threads = omp_get_max_threads();
+  options.threads = arguments.threads;
   options.max_memory = memory_limit(arguments.max_memory_gib, available_memory());
   return set_cells(arguments.cells, options);
 }

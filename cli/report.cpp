@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <omp.h>
 
 #include <algorithm>
 #include <cmath>
@@ -195,7 +196,7 @@ std::string to_json(const MeshRun& run) {
       {"points_outside", run.points_outside},
       {"warnings", warnings_json(run.warnings, 0)},
       {"goal", goal_json(run)},
-      {"threads", run.options.threads},
+      {"threads", omp_get_max_threads()},
       {"decomposition", decomposition_json(run)},
       {"seconds",
        {{"read", s.read},

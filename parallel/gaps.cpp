@@ -38,7 +38,7 @@ std::string Gap::message(int base) const {
 }
 
 Result<std::vector<Gap>> find_gaps(const ValidPslg& domain, int threads) try {
-  const engine::Threads all(engine::thread_count(threads));
+  const engine::Threads all(engine::thread_count(threads, static_cast<double>(domain.pslg().points.size())));
   const Result<engine::DomainTriangulation> triangulated =
       engine::triangulate_domain(domain.pslg(), domain.convex_hull(), all);
   if (!triangulated) return triangulated.error();

@@ -32,7 +32,7 @@ std::string LeastSize::message() const {
 }
 
 Result<LeastSize> least_size(const ValidPslg& domain, double min_angle_deg, double min_edge, int threads) try {
-  const engine::Threads all(engine::thread_count(threads));
+  const engine::Threads all(engine::thread_count(threads, static_cast<double>(domain.pslg().points.size())));
   const Result<engine::DomainTriangulation> triangulated =
       engine::triangulate_domain(domain.pslg(), domain.convex_hull(), all);
   if (!triangulated) return triangulated.error();

@@ -34,7 +34,8 @@ namespace {
 Result<Meshed> validate_and_mesh(const Pslg& pslg, bool convex_hull, const Goal* goal, const Options& options,
                                  ProgressMonitor& progress) {
   Stopwatch watch;
-  const Threads& threads = progress.threads();
+  progress.expect(static_cast<double>(pslg.points.size()));
+  const Threads threads = progress.threads();
   // The triangulation of a point set finds duplicate points, but names only two of them. So all of them are searched
   // for only if it fails.
   const bool leaves_duplicates = is_point_set(pslg) && find_problems_but_duplicates(pslg, threads).empty();
@@ -85,6 +86,7 @@ Result<Meshed> refine_mesh(const Mesh& coarse, std::span<const double> max_areas
                            const Options& options, ProgressMonitor& progress) {
   Stopwatch watch;
   Meshed result;
+  progress.expect(static_cast<double>(coarse.triangles.size()));
   Result<DomainTriangulation> domain = import_mesh(coarse, progress.threads());
   if (!domain) return domain.error();
   InputData input{

@@ -76,7 +76,8 @@ struct Progress {
 struct Options {
   Placement placement = Placement::off_centre;
   Interior interior = Interior::refine;
-  /// The number of threads; 0: as many as OpenMP offers, one per core by default. The result does not depend on it.
+  /// The number of threads; 0: as many as OpenMP offers, one per core by default, and one for a small mesh. The result
+  /// does not depend on it.
   int threads = 0;
   Decomposition decomposition = Decomposition::automatic;
   /// The number of triangles per tile that Decomposition::lattice and quadtree aim at, > 0. A task works on a box as

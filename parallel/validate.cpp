@@ -9,7 +9,8 @@ using namespace engine;
 
 std::vector<Problem> find_problems(const Pslg& pslg, const ValidateOptions& options) try {
   StopSignal stop(StopSignal::unless(options.go_on));
-  return find_problems(pslg, options, Threads(thread_count(options.threads), &stop));
+  return find_problems(pslg, options,
+                       Threads(thread_count(options.threads, static_cast<double>(pslg.points.size())), &stop));
 } catch (const Stopped&) {
   return {{ProblemKind::cancelled, {}, {}}};
 }

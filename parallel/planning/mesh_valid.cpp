@@ -33,6 +33,7 @@ Result<Meshed> mesh_valid(const Pslg& pslg, bool convex_hull, const Goal* goal, 
   Stopwatch watch;
   Meshed result;
   if (outgrows_memory(pslg.points.size(), options)) return too_much_memory(options);
+  progress.expect(static_cast<double>(pslg.points.size()));
   Result<DomainTriangulation> domain = triangulate_domain(pslg, convex_hull, progress.threads());
   if (!domain) return domain.error();
   InputData input = input_data(pslg, *domain, progress.threads());

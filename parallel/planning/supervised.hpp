@@ -5,19 +5,17 @@
 
 #include "../scheduling/progress_monitor.hpp"
 #include "../sizing/guarded.hpp"
-#include "../threads/parallel_for.hpp"
 
 namespace pardel::engine {
 
-/// Returns work(safe, progress). `safe` is a copy of the options in which the functions of the caller are guarded and
-/// the number of threads is resolved. Work that has to end early, or runs out of memory, becomes an error.
+/// Returns work(safe, progress). `safe` is a copy of the options in which the functions of the caller are guarded. Work
+/// that has to end early, or runs out of memory, becomes an error.
 template <class Work>
 auto supervised(const Options& options, const Work& work)
     -> decltype(work(options, std::declval<ProgressMonitor&>())) try {
-  Options safe = guarded(options);
-  safe.threads = thread_count(options.threads);
+  const Options safe = guarded(options);
   ProgressMonitor progress(safe);
-  return work(std::as_const(safe), progress);
+  return work(safe, progress);
 } catch (const Stopped& stopped) {
   return stopped.error;
 } catch (...) {

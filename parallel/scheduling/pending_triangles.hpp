@@ -27,6 +27,8 @@ class PendingTriangles {
   PendingTriangles(const Triangulation& t, const Assessor& assessor, const Threads& threads)
       : t_(t), assessor_(assessor), threads_(threads) {}
 
+  /// From now on, these threads work.
+  void use(const Threads& threads) { threads_ = threads; }
   void defer(Array<Deferred> triangles) { deferred_ = std::move(triangles); }
   /// Adds triangles to both lists.
   void add(const Waiting& waiting) {

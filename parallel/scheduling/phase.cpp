@@ -71,7 +71,12 @@ PhaseRunner::PhaseRunner(Triangulation& t, const Assessor& assessor, const Crite
       threads_(threads),
       vertices_(static_cast<Index>(t.points.size()), most_vertices(t, options)),
       triangles_(static_cast<Index>(t.slots.size()), max_engine_triangles) {
-  for (int i = 0; i < threads_.count; ++i) tasks_.push_back(new_task());
+  use(threads);
+}
+
+void PhaseRunner::use(const Threads& threads) {
+  threads_ = threads;
+  while (tasks_.size() < static_cast<std::size_t>(threads.count)) tasks_.push_back(new_task());
 }
 
 std::unique_ptr<Task> PhaseRunner::new_task() {

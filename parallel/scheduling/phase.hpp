@@ -54,6 +54,8 @@ class PhaseRunner {
   PhaseRunner(Triangulation& t, const Assessor& assessor, const Criteria& criteria, const Options& options,
               const Threads& threads, const Schedule& schedule, Communicator& communicator);
 
+  /// From now on, these threads work.
+  void use(const Threads& threads);
   /// See Task::begin_submesh().
   void begin_submesh() {
     for (const std::unique_ptr<Task>& task : tasks_) task->begin_submesh();

@@ -19,6 +19,7 @@ void ProgressMonitor::start(double estimate, std::uint64_t vertices, std::uint64
   if (options_.max_vertices > 0) estimate_ = std::min(estimate_, 2.0 * static_cast<double>(options_.max_vertices));
   vertices_ = vertices_aside_ + vertices;
   triangles_ = triangles_aside_ + triangles;
+  expect(std::max(estimate_, static_cast<double>(triangles_)));
 }
 
 void ProgressMonitor::report(std::uint64_t vertices_made) {

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <atomic>
+#include <cmath>
 #include <cstdint>
 
 #include "../options.hpp"
+#include "../threads/parallel_for.hpp"
 #include "../threads/threads.hpp"
 
 namespace pardel::engine {
@@ -16,8 +18,11 @@ class ProgressMonitor {
   /// interval: the time between two calls of options.progress.
   explicit ProgressMonitor(const Options& options, StopSignal::Clock::duration interval = StopSignal::usual_interval);
 
-  /// The threads of the run. Their loops call options.progress; only the thread that made the monitor calls it.
-  [[nodiscard]] Threads threads() { return {options_.threads, &stop_}; }
+  /// The threads of the run: options.threads, or as many as pay for the present work. Their loops call
+  /// options.progress; only the thread that made the monitor calls it.
+  [[nodiscard]] Threads threads() { return {thread_count(options_.threads, work_), &stop_}; }
+  /// From now on, the work is this number of points or triangles. Before the first call, it is not known to be small.
+  void expect(double work) { work_ = work; }
 
   /// Counts vertices and triangles that will be added to the mesh after the refinement, until the next call.
   void set_aside(std::uint64_t vertices, std::uint64_t triangles);
@@ -39,6 +44,7 @@ class ProgressMonitor {
 
   const Options& options_;
   StopSignal stop_;
+  double work_ = INFINITY;
   double estimate_ = 0;
   std::uint64_t vertices_aside_ = 0, triangles_aside_ = 0;
   std::uint64_t vertices_ = 0, triangles_ = 0;  ///< when the last phase ended, with those set aside

@@ -60,6 +60,7 @@ class Refinement {
     const Lattice finest = finest_lattice(bounds, initial.estimates.without_angle_bound, job_.options);
     job_.progress.start(initial.estimates.with_angle_bound, sweeper_.runner().vertices().in_use(),
                         sweeper_.runner().triangles().in_use());
+    sweeper_.use(job_.progress.threads());
 
     if (prefers_quadtree(finest, t_, job_, sweeper_.assessor()))
       refine_in_quadtree(bounds);

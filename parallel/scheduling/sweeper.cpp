@@ -32,6 +32,12 @@ Sweeper::Sweeper(const RefinementJob& job, Triangulation& t, const DomainSegment
       runner_(t, assessor_, job.criteria, job.options, threads_, job.schedule, communicator),
       pending_(t, assessor_, threads_) {}
 
+void Sweeper::use(const Threads& threads) {
+  threads_ = threads;
+  runner_.use(threads);
+  pending_.use(threads);
+}
+
 void Sweeper::begin_submesh(const Communicator::GatheredSubmesh& submesh) {
   changed_.emplace();
   needs_more_at_ = &submesh.needs_more_at;

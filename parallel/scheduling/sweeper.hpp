@@ -35,6 +35,8 @@ class Sweeper {
   Sweeper(const RefinementJob& job, Triangulation& t, const DomainSegments& segments, const Threads& threads,
           Communicator& communicator);
 
+  /// From now on, these threads work.
+  void use(const Threads& threads);
   /// All vertices lie in this box, and will.
   void expect_within(const Box& bounds) { assessor_.expect_within(bounds); }
   /// The triangulation is a gathered submesh: lists the triangles that change, and what is missing.

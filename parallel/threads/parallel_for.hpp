@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
@@ -15,8 +16,15 @@
 
 namespace pardel::engine {
 
-/// The number of threads to use: `wanted`, or as many as OpenMP offers if `wanted` is not positive.
-[[nodiscard]] inline int thread_count(int wanted) { return wanted > 0 ? wanted : omp_get_max_threads(); }
+/// Below this number of points or triangles, more threads take longer than one: they wait for each other.
+inline constexpr double fewest_for_threads = 30'000;
+
+/// The number of threads to use for this number of points or triangles: `wanted`; if it is not positive, as many as
+/// OpenMP offers, or one if there are so few items that more do not pay.
+[[nodiscard]] inline int thread_count(int wanted, double items = INFINITY) {
+  if (wanted > 0) return wanted;
+  return items < fewest_for_threads ? 1 : omp_get_max_threads();
+}
 
 /// Of the exceptions that the items of a loop throw: the exception of the first item.
 class FirstException {

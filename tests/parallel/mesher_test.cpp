@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <mutex>
 #include <set>
+#include <thread>
 
 #include "../../core/digest.hpp"
 #include "../../parallel/sizes.hpp"
@@ -400,6 +402,33 @@ TEST(Mesher, keeps_isolated_points_and_both_sides_of_a_crack) {
   const Pslg pslg = domain("cracks");
   const Meshed meshed = expect_met(pslg, {.min_angle_deg = 30});
   for (std::size_t v = 0; v < pslg.points.size(); ++v) EXPECT_EQ(meshed.mesh.points[v], pslg.points[v]);
+}
+
+/// The number of threads that ask for a size while a square becomes about this number of triangles.
+std::size_t threads_that_ask(double triangles, int threads) {
+  std::mutex writing;
+  std::set<std::thread::id> seen;
+  Goal goal;
+  goal.size = [&](Point) {
+    const std::scoped_lock lock(writing);
+    seen.insert(std::this_thread::get_id());
+    return std::sqrt(2.3 / triangles);
+  };
+  EXPECT_TRUE(mesh(domains::square(), goal, {.threads = threads, .triangles_per_tile = 1000}));
+  return seen.size();
+}
+
+TEST(Mesh, uses_several_threads_for_a_large_mesh_of_few_points_and_one_for_a_small_mesh) {
+  omp_set_num_threads(2);
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(threads_that_ask(3000, 0), 1U);
+  // On a busy machine, one thread may do everything before the other one starts.
+  const auto uses_both = [](double triangles, int threads) {
+    for (int i = 0; i < 20; ++i)
+      if (threads_that_ask(triangles, threads) == 2) return true;
+    return false;
+  };
+  EXPECT_TRUE(uses_both(60'000, 0));
+  EXPECT_TRUE(uses_both(20'000, 2)) << "a number of threads that the caller gives is used";
 }
 
 TEST(Mesh, reports_the_times_of_its_stages) {

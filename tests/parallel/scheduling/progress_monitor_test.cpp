@@ -2,6 +2,7 @@
 #include "../../../parallel/scheduling/progress_monitor.hpp"
 
 #include <gtest/gtest.h>
+#include <omp.h>
 
 #include <thread>
 #include <vector>
@@ -136,6 +137,19 @@ TEST(ProgressMonitor, stops_a_mesh_that_outgrows_the_memory) {
     EXPECT_EQ(stopped.error.kind, ErrorKind::resources);
     EXPECT_NE(stopped.error.message.find("78.13 KiB"), std::string::npos) << stopped.error.message;
   }
+}
+
+TEST(ProgressMonitor, uses_one_thread_for_little_work_unless_the_caller_says_how_many) {
+  omp_set_num_threads(3);
+  const Options automatic, two{.threads = 2};
+  ProgressMonitor of_automatic(automatic), of_two(two);
+  EXPECT_EQ(of_automatic.threads().count, 3) << "the work is not known yet";
+  for (ProgressMonitor* monitor : {&of_automatic, &of_two}) monitor->expect(4);
+  EXPECT_EQ(of_automatic.threads().count, 1);
+  EXPECT_EQ(of_two.threads().count, 2);
+  of_automatic.set_aside(50'000, 100'000);
+  of_automatic.start(500, 4, 2);
+  EXPECT_EQ(of_automatic.threads().count, 3) << "the triangles set aside are work, too";
 }
 
 TEST(ProgressMonitor, expects_no_more_triangles_than_the_budget_of_vertices_allows) {

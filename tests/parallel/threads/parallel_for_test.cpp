@@ -46,6 +46,13 @@ TEST(ThreadCount, is_the_number_that_is_wanted_or_all) {
   EXPECT_EQ(thread_count(0), 5);
 }
 
+TEST(ThreadCount, is_one_for_few_items_unless_a_number_is_wanted) {
+  omp_set_num_threads(5);
+  EXPECT_EQ(thread_count(0, fewest_for_threads - 1), 1);
+  EXPECT_EQ(thread_count(0, fewest_for_threads), 5);
+  EXPECT_EQ(thread_count(2, 1), 2);
+}
+
 TEST(ParallelFor, throws_the_exception_of_the_first_item_that_throws) {
   for (const int threads : {1, 2, 4}) {
     for (int repeat = 0; repeat < 20; ++repeat) {
