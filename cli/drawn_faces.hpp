@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "parse_geojson.hpp"
+#include "drawn_domain.hpp"
 
 namespace pardel::cli {
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -33,14 +32,6 @@ struct Place {
   }
 };
 
-/// The properties of a feature that mean something here.
-struct Properties {
-  int marker = 0;
-  bool has_marker = false;
-  bool is_hole = false;
-  std::optional<double> attribute, max_area, length;
-};
-
 /// A failure in the file, which ends the reading.
 struct WrongFile {
   std::string message;
@@ -66,7 +57,7 @@ class Shapes {
  public:
   explicit Shapes(LengthProperty lengths) : lengths_(lengths) {}
 
-  void read(const json& object, const Place& place, const Properties& properties, int level) {
+  void read(const json& object, const Place& place, const ShapeProperties& properties, int level) {
     if (!object.is_object()) fail(place, "a GeoJSON object", object);
     const json& type_value = value_of(object, "type");
     if (!type_value.is_string()) fail(place / "type", "the type of a GeoJSON object", type_value);
@@ -95,7 +86,7 @@ class Shapes {
     fail(place / "type", "the type of a GeoJSON object", type_value);
   }
 
-  [[nodiscard]] DrawnDomain take() && { return std::move(domain_); }
+  [[nodiscard]] DrawnDomain take() && { return std::move(drawing_).take(); }
 
  private:
   template <class Read>
@@ -107,12 +98,12 @@ class Shapes {
   /// A feature without a geometry draws nothing.
   void read_feature(const json& feature, const Place& place, int level) {
     const json& geometry = value_of(feature, "geometry");
-    const Properties properties = properties_of(value_of(feature, "properties"), place / "properties");
+    const ShapeProperties properties = properties_of(value_of(feature, "properties"), place / "properties");
     if (!geometry.is_null()) read(geometry, place / "geometry", properties, level + 1);
   }
 
-  [[nodiscard]] Properties properties_of(const json& object, const Place& place) const {
-    Properties properties;
+  [[nodiscard]] ShapeProperties properties_of(const json& object, const Place& place) const {
+    ShapeProperties properties;
     if (object.is_null()) return properties;
     if (!object.is_object()) fail(place, "an object of properties", object);
     if (const json& marker = value_of(object, "marker"); !marker.is_null()) {
@@ -149,67 +140,37 @@ class Shapes {
     return {value[0].get<double>() + 0.0, value[1].get<double>() + 0.0};  // -0 becomes 0
   }
 
-  Index point(Point p) {
-    const auto [found, is_new] =
-        index_of_point_.try_emplace({p.x, p.y}, static_cast<Index>(domain_.pslg.points.size()));
-    if (is_new) domain_.pslg.points.push_back(p);
-    return found->second;
-  }
-
-  /// A piece with equal ends is a point.
-  void add_source(Point from, Point to, const Properties& properties) {
-    if (properties.length) domain_.sources.push_back({from, to, *properties.length, *properties.length});
-  }
-
-  void segment(Point from, Point to, const Properties& properties) {
-    add_source(from, to, properties);
-    const Index a = point(from), b = point(to);
-    if (a == b) return;
-    std::vector<Segment>& segments = domain_.pslg.segments;
-    const auto [found, is_new] = segment_between_.try_emplace(std::minmax(a, b), segments.size());
-    if (is_new)
-      segments.push_back({a, b, properties.marker});
-    else if (segments[found->second].marker == 0)
-      segments[found->second].marker = properties.marker;
-    domain_.pslg.has_segment_markers = domain_.pslg.has_segment_markers || properties.has_marker;
-  }
-
   static std::vector<Point> points(const json& positions, const Place& place) {
     std::vector<Point> all;
     each(positions, place, "positions", [&](const json& one, const Place& p) { all.push_back(position(one, p)); });
     return all;
   }
 
-  void read_point(const json& value, const Place& place, const Properties& properties) {
-    const Point p = position(value, place);
-    point(p);
-    add_source(p, p, properties);
+  void read_point(const json& value, const Place& place, const ShapeProperties& properties) {
+    drawing_.add_point(position(value, place), properties);
   }
 
-  void read_line(const json& positions, const Place& place, const Properties& properties) {
+  void read_line(const json& positions, const Place& place, const ShapeProperties& properties) {
     const std::vector<Point> line = points(positions, place);
     if (line.size() < 2) fail(place, "at least two positions of a line", positions);
-    for (std::size_t i = 0; i + 1 < line.size(); ++i) segment(line[i], line[i + 1], properties);
+    drawing_.add_line(line, properties);
   }
 
-  void read_polygon(const json& rings, const Place& place, const Properties& properties) {
-    DrawnPolygon polygon{{}, properties.is_hole, properties.attribute, properties.max_area, properties.length};
+  void read_polygon(const json& rings, const Place& place, const ShapeProperties& properties) {
+    std::vector<std::vector<Point>> open;
     each(rings, place, "rings", [&](const json& positions, const Place& ring_place) {
       std::vector<Point> ring = points(positions, ring_place);
       if (ring.size() < 4) fail(ring_place, "at least four positions of a ring", positions);
       if (!(ring.front() == ring.back()))
         fail(ring_place[ring.size() - 1], "the first position of the ring, which closes it", positions.back());
-      for (std::size_t i = 0; i + 1 < ring.size(); ++i) segment(ring[i], ring[i + 1], properties);
       ring.pop_back();
-      polygon.rings.push_back(std::move(ring));
+      open.push_back(std::move(ring));
     });
-    if (!polygon.rings.empty()) domain_.polygons.push_back(std::move(polygon));
+    drawing_.add_polygon(std::move(open), properties);
   }
 
   LengthProperty lengths_;
-  DrawnDomain domain_;
-  std::map<std::pair<double, double>, Index> index_of_point_;
-  std::map<std::pair<Index, Index>, std::size_t> segment_between_;
+  Drawing drawing_;
 };
 
 /// `NAME:LINE:COLUMN`, both from 1 on. `at`: the number of bytes before the place.

@@ -1,7 +1,7 @@
 // The holes and regions of a domain that is drawn as polygons.
 #pragma once
 
-#include "parse_geojson.hpp"
+#include "drawn_domain.hpp"
 
 namespace pardel::cli {
 

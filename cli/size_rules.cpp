@@ -15,6 +15,11 @@
 namespace pardel::cli {
 namespace {
 
+/// A place that was not read from a file has no line.
+std::string place_of(const std::string& name, std::size_t line) {
+  return line == 0 ? name : fmt::format("{}:{}", name, line);
+}
+
 SizeSource source(Point a, Point b, double length) { return {a, b, length, length}; }
 
 /// Adds the segments and points with the marker. Returns false if there is none.
@@ -38,8 +43,8 @@ Result<std::vector<double>> lengths_in_regions(const SizeRules& rules, const std
       lengths[r] = std::min(lengths[r], rule.length);
     }
     if (!found)
-      return Error{ErrorKind::invalid_input, fmt::format("{}:{}: no region of the domain has the attribute {}", name,
-                                                         rule.line, shortest(rule.attribute))};
+      return Error{ErrorKind::invalid_input, fmt::format("{}: no region of the domain has the attribute {}",
+                                                         place_of(name, rule.line), shortest(rule.attribute))};
   }
   return lengths;
 }
@@ -63,7 +68,8 @@ Status add_rules(const SizeRules& rules, const std::string& name, const ValidPsl
     if (!add_marked(rule, domain.pslg(), goal.sources))
       return Error{
           ErrorKind::invalid_input,
-          fmt::format("{}:{}: no segment and no point of the domain has the marker {}", name, rule.line, rule.marker)};
+          fmt::format("{}: no segment and no point of the domain has the marker {}", place_of(name, rule.line),
+                      rule.marker)};
   return add_regions(rules, name, domain, goal);
 }
 

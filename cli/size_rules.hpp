@@ -13,7 +13,7 @@
 namespace pardel::cli {
 
 /// Adds the lengths to Goal::sources, and those in regions also to Goal::size. `name` names their file in messages.
-/// Error: `invalid_input` with the line of a rule whose marker or region the domain does not have.
+/// Error: `invalid_input` with the line of a rule, if it has one, whose marker or region the domain does not have.
 [[nodiscard]] Status add_rules(const SizeRules& rules, const std::string& name, const ValidPslg& domain, Goal& goal);
 
 /// Adds the sources to Goal::sources, and the lengths of `size` to Goal::size; an empty function has none.

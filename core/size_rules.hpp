@@ -8,7 +8,8 @@
 
 namespace pardel {
 
-/// Lengths are finite and > 0, in units of the coordinates. `line`: where the rule is in its file, for messages.
+/// Lengths are finite and > 0, in units of the coordinates. `line`: where the rule is in its file, for messages;
+/// 0: it is in no file.
 struct SizeRules {
   /// A length at a point of the plane.
   struct AtPoint {

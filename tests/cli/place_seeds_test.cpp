@@ -5,6 +5,7 @@
 
 #include <utility>
 
+#include "../../cli/parse_geojson.hpp"
 #include "../../fuzz/drawn_cells.hpp"
 
 namespace pardel::cli {

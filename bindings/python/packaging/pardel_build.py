@@ -23,7 +23,7 @@ PACKAGE = ROOT / "bindings/python/pardel"
 IN_SDIST = ("CMakeLists.txt", "CMakePresets.json", "LICENSE", "README.md", "pyproject.toml", "cmake", "core",
             "parallel", "off_the_shelf", "properties/CMakeLists.txt", "properties/checker", "properties/domains",
             "bindings/python/CMakeLists.txt", "bindings/python/packaging", "bindings/python/pardel",
-            "bindings/python/src")
+            "bindings/python/src", "cli")
 
 
 def version():

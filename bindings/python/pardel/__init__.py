@@ -14,14 +14,20 @@ from .diagram import Voronoi, voronoi
 from .domain import Domain
 from .errors import Cancelled, Error, FileError, InternalError, InvalidInput, Problem, ResourceError, UsageError
 from .files import read, write
+from .generating import generate, generators, radial_sizes
+from .geometry import geometry
 from .meshing import convex_hull, delaunay, mesh, refine
+from .pictures import draw
 from .polygons import polygon
+from .raster import Raster
 from .report import Exemption, Exemptions, Gap, Report
+from .sources import Sources
 from .validation import Repaired, repair, validate
 
 __all__ = [
     "Cancelled", "Certificate", "Domain", "Error", "Exemption", "Exemptions", "Extreme", "FileError", "Gap",
-    "InternalError", "InvalidInput", "Mesh", "Problem", "Quality", "Repaired", "Report", "ResourceError", "UsageError",
-    "Violation", "Voronoi", "__version__", "check", "convex_hull", "delaunay", "mesh", "polygon", "read", "refine",
-    "repair", "validate", "voronoi", "write",
+    "InternalError", "InvalidInput", "Mesh", "Problem", "Quality", "Raster", "Repaired", "Report", "ResourceError",
+    "Sources", "UsageError", "Violation", "Voronoi", "__version__", "check", "convex_hull", "delaunay", "draw",
+    "generate", "generators", "geometry", "mesh", "polygon", "radial_sizes", "read", "refine", "repair", "validate",
+    "voronoi", "write",
 ]

@@ -12,7 +12,9 @@ import numpy.typing as npt
 from . import _pardel, arrays
 from .domain import Domain
 from .errors import UsageError
+from .notebook import svg_of_mesh
 from .paths import read_as
+from .plotting import By, plot_mesh
 from .report import Report, report_of
 
 Indices = npt.NDArray[np.int32]
@@ -148,6 +150,23 @@ class Mesh:
     def area(self) -> float:
         """The sum of the areas of all triangles, in the square of the unit of the coordinates."""
         return self.quality().area
+
+    def plot(self, ax: Any = None, by: By = None, *, edges: bool = True, segments: bool = True, colorbar: bool = True,
+             **options: Any) -> Any:
+        """Draws the mesh with matplotlib.
+
+        ax: the axes of matplotlib; None: the current ones.
+        by: what the colours show: ``quality`` (the smallest angle of a triangle), ``angle`` (its largest one), ``size``
+            (its longest edge), ``region`` (the attribute); or numbers, one per point or one per triangle. If both would
+            fit, they are at points. None: one colour.
+        edges, segments: False: they are not drawn. colorbar: False: no scale of the colours is added.
+        Further arguments are for matplotlib's ``tripcolor``. Returns the axes.
+        Raises `UsageError` for another shape, or if matplotlib is not installed.
+        """
+        return plot_mesh(self, ax, by, edges, segments, colorbar, **options)
+
+    def _repr_svg_(self) -> str:
+        return svg_of_mesh(self.points, self.triangles, self.segments, self.regions)
 
     def __reduce__(self) -> Tuple[Any, ...]:
         raise TypeError("a Mesh cannot be pickled; write it to a file, or pickle its arrays")

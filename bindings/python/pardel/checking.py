@@ -10,6 +10,7 @@ from ._mesh import mesh_of
 from .domain import DomainLike, domain_of
 from .errors import Coordinates
 from .goal import Size, goal_of, has_caps, number, sizes_of, whole
+from .sources import SourcesLike, sources_of
 
 
 @dataclass(frozen=True)
@@ -76,12 +77,12 @@ class Certificate:
 
 
 def check(domain: DomainLike, mesh: Any, *, min_angle: float = 20.7, max_area: Optional[float] = None,
-          max_edge: Optional[float] = None, size: Optional[Size] = None, grading: Optional[float] = None,
-          feature_size: Optional[float] = None, conforming: bool = False, convex_hull: bool = False,
+          max_edge: Optional[float] = None, size: Optional[Size] = None, sources: Optional[SourcesLike] = None,
+          grading: Optional[float] = None, feature_size: Optional[float] = None, conforming: bool = False, convex_hull: bool = False,
           max_circumradius: float = 0, max_violations: int = 1000) -> Certificate:
     """Proves in exact arithmetic that a mesh is right for a domain and keeps the bounds, or lists what is wrong.
 
-    domain: a `Domain`, the path of a file, or an array of points whose convex hull is the domain.
+    domain: a `Domain`, the path of a file, geometries, or an array of points whose convex hull is the domain.
     mesh: a `Mesh`; (points, triangles); anything with ``points`` and ``cells``, such as a mesh of meshio; or the path
         of a file. Neighbours, edges and markers of arrays are not checked, because arrays have none.
     The bounds mean what they mean in `mesh`, and have the same defaults; min_angle=0 asks for none. The areas of the
@@ -101,8 +102,12 @@ def check(domain: DomainLike, mesh: Any, *, min_angle: float = 20.7, max_area: O
     goal = goal_of(min_angle=min_angle, max_area=max_area, max_edge=max_edge, size=size, grading=grading,
                    feature_size=feature_size, conforming=conforming, convex_hull=convex_hull,
                    region_caps=has_caps(of_domain))
-    found = _pardel.check(of_domain._core, of_mesh._core, goal, sizes_of(size, len(of_domain.points)),
-                          number("max_circumradius", max_circumradius), whole("max_violations", max_violations))
+    sizes = sizes_of(size, len(of_domain.points))
+    places = sources_of(sources, grading)
+    if places is not None:
+        sizes.set_places(places)
+    found = _pardel.check(of_domain._core, of_mesh._core, goal, sizes, number("max_circumradius", max_circumradius),
+                          whole("max_violations", max_violations))
     found["violations"] = tuple(Violation(*row) for row in found["violations"])
     found["extremes"] = {name: Extreme(*row) for name, row in found["extremes"].items()}
     return Certificate(**found)

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Optional, Tuple, Union
+from typing import Any, Mapping, Optional, Protocol, Sequence, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _pardel, arrays
 from .errors import UsageError
+from .notebook import svg_of_domain
 from .paths import read_as
+from .plotting import plot_domain
+from .shapes import is_shapes
 
 
 class Domain:
@@ -89,6 +92,17 @@ class Domain:
         """Shape (n, k), float64."""
         return self._core.attributes
 
+    def plot(self, ax: Any = None, *, points: bool = True, **options: Any) -> Any:
+        """Draws the domain with matplotlib: segments, points, holes as crosses, regions as diamonds.
+
+        ax: the axes of matplotlib; None: the current ones. points: False: no points. Further arguments are for the
+        collection of lines. Returns the axes. Raises `UsageError` if matplotlib is not installed.
+        """
+        return plot_domain(self, ax, points, **options)
+
+    def _repr_svg_(self) -> str:
+        return svg_of_domain(self.points, self.segments, self.holes, self.regions[:, :2])
+
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Domain):
             return NotImplemented
@@ -108,7 +122,15 @@ class Domain:
         return f"Domain({', '.join(parts)})"
 
 
-DomainLike = Union[Domain, npt.ArrayLike, str, "os.PathLike[str]"]
+class HasGeoInterface(Protocol):
+    """A geometry of shapely, a GeoDataFrame, and so on."""
+
+    @property
+    def __geo_interface__(self) -> Any: ...
+
+
+DomainLike = Union[Domain, npt.ArrayLike, str, "os.PathLike[str]", HasGeoInterface, Mapping[str, Any],
+                   Sequence[HasGeoInterface], Sequence[Mapping[str, Any]]]
 
 
 def _copied(array: Optional[npt.NDArray[np.int32]]) -> Optional[npt.NDArray[np.int32]]:
@@ -149,12 +171,17 @@ def _attributes(attributes: Optional[npt.ArrayLike], count: int) -> arrays.Numbe
 
 
 def domain_of(value: Any, segments: Any = None, **parts: Any) -> Domain:
-    """The domain that an argument stands for: a `Domain`, the path of a file, or points with `segments` and so on."""
+    """The domain that an argument stands for: a `Domain`, the path of a file, shapes (`geometry`), or points."""
     given = [name for name, part in [("segments", segments), *parts.items()] if part is not None]
-    if isinstance(value, (Domain, str, os.PathLike)) and given:
+    has_parts = isinstance(value, (Domain, str, os.PathLike)) or is_shapes(value)
+    if has_parts and given:
         raise UsageError(f"{given[0]} cannot be given beside a domain, which has its own")
     if isinstance(value, Domain):
         return value
     if isinstance(value, (str, os.PathLike)):
         return Domain._of(read_as(_pardel.Pslg, value, "a mesh", "a domain"))
+    if has_parts:
+        from .geometry import geometry  # which needs Domain
+
+        return geometry(value)
     return Domain(value, segments, **parts)

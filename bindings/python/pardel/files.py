@@ -12,7 +12,7 @@ from .paths import Path
 
 
 def read(path: Path) -> Union[Domain, Mesh]:
-    """Reads a domain (.poly, or .node without an .ele) or a mesh. The suffix determines the format.
+    """Reads a domain (.poly, .geojson, .json, or .node without an .ele) or a mesh. The suffix determines the format.
 
     Meshes: .node and .ele, .msh, .vtu, .pvtu, .vtk, .off, .2dm, .gr3, .14. docs/formats.md has the details.
     Raises `FileError` if the file cannot be read, `InvalidInput` with the line if its content is wrong.

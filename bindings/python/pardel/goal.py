@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import inspect
 import math
+import os
 from typing import Any, Callable, Optional, Tuple, Union
 
 import numpy as np
@@ -12,9 +13,12 @@ import numpy.typing as npt
 from . import _pardel, arrays
 from ._mesh import Mesh, mesh_of
 from .errors import UsageError
+from .paths import Path
+from .raster import Raster
 
-# Size: a number; one length per point; a mesh with one length per point of it; a function.
-Size = Union[float, npt.ArrayLike, Tuple[Any, npt.ArrayLike], Callable[..., Any]]
+# Size: a number; one length per point; a mesh with one length per point of it; a function; a raster, or its file; the
+# values of a raster with its extent or transform.
+Size = Union[float, npt.ArrayLike, Tuple[Any, npt.ArrayLike], Callable[..., Any], Raster, Path]
 
 
 def number(name: str, value: Any) -> float:
@@ -70,6 +74,9 @@ def sizes_of(size: Optional[Size], points: int, mesh: Optional[Mesh] = None) -> 
     """A size that depends on the place. `points`: their number; `mesh`: the mesh to which they belong, if any."""
     if size is None or is_number(size):
         return _pardel.Sizes()
+    raster = _raster_of(size)
+    if raster is not None:
+        return _pardel.Sizes.on_raster(raster._core)
     if callable(size):
         return _pardel.Sizes.of_function(size, _takes_numbers(size))
     if isinstance(size, tuple) and len(size) == 2 and not is_number(size[0]):
@@ -77,6 +84,20 @@ def sizes_of(size: Optional[Size], points: int, mesh: Optional[Mesh] = None) -> 
         return _pardel.Sizes.on_mesh(background._core, _lengths(size[1], len(background.points)))
     lengths = _lengths(size, points)
     return _pardel.Sizes.at_points(lengths) if mesh is None else _pardel.Sizes.on_mesh(mesh._core, lengths)
+
+
+def _raster_of(size: Any) -> Optional[Raster]:
+    """A raster, the path of one, or an array of two dimensions with an extent (4 numbers) or a transform (6 or 9)."""
+    if isinstance(size, Raster):
+        return size
+    if isinstance(size, (str, os.PathLike)):
+        if os.path.splitext(os.fspath(size))[1].lower() not in (".asc", ".npy"):
+            raise UsageError(f"size is {os.fspath(size)!r}; the path of a raster, .asc or .npy, is needed")
+        return Raster.read(size)
+    if isinstance(size, tuple) and len(size) == 2 and isinstance(size[0], np.ndarray) and size[0].ndim == 2:
+        where = tuple(size[1])
+        return Raster(size[0], where) if len(where) == 4 else Raster(size[0], transform=where)
+    return None
 
 
 def _lengths(value: Any, count: int) -> arrays.Numbers:

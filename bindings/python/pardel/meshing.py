@@ -12,6 +12,7 @@ from ._mesh import Mesh, mesh_of
 from .domain import DomainLike, domain_of
 from .goal import Size, goal_of, has_caps, number, sizes_of, whole
 from .progress import Progress, reporting
+from .sources import SourcesLike, sources_of
 
 
 def _options(*, threads: int, max_vertices: int, max_memory: int, min_edge: float,
@@ -31,15 +32,17 @@ def mesh(points: DomainLike, segments: Optional[npt.ArrayLike] = None, *, holes:
          regions: Optional[npt.ArrayLike] = None, markers: Optional[npt.ArrayLike] = None,
          point_markers: Optional[npt.ArrayLike] = None, attributes: Optional[npt.ArrayLike] = None,
          min_angle: float = 20.7, max_area: Optional[float] = None, max_edge: Optional[float] = None,
-         size: Optional[Size] = None, grading: Optional[float] = None, feature_size: Optional[float] = None,
-         conforming: bool = False, convex_hull: bool = False, threads: int = 0, max_vertices: int = 0,
+         size: Optional[Size] = None, sources: Optional[SourcesLike] = None, grading: Optional[float] = None,
+         feature_size: Optional[float] = None, conforming: bool = False, convex_hull: bool = False, threads: int = 0,
+         max_vertices: int = 0,
          max_memory: int = 0, min_edge: float = 0, placement: str = "off_centre", interior: str = "refine",
          split_boundary: bool = True, split_segments: bool = True, repair: bool = False,
          snap: Optional[float] = None, progress: Progress = None) -> Mesh:
     """Makes a quality mesh: a constrained Delaunay triangulation, refined until every triangle keeps the bounds.
 
     The domain
-      points: shape (n, 2), any unit; or a `Domain`, or the path of a file, which have the following arguments.
+      points: shape (n, 2), any unit; or a `Domain`, the path of a file, or geometries (see `geometry`), which have the
+        following arguments.
       segments: shape (m, 2): indices of points. None: the domain is the convex hull of the points.
       holes, regions, markers, point_markers, attributes: as for `Domain`. Areas of regions are bounds.
 
@@ -50,12 +53,14 @@ def mesh(points: DomainLike, segments: Optional[npt.ArrayLike] = None, *, holes:
       size: the longest edge near a place, in the unit:
         a number; or an array of shape (n,), one length per point, interpolated over the domain;
         or (mesh, lengths), one length per point of a mesh that covers the domain;
+        or a `Raster`, its values with their extent or transform as a tuple, or the path of an .asc or .npy;
         or a function of an array of places, shape (k, 2), that returns k lengths;
         or a function of two numbers x and y that returns a length.
         A function must be pure. The mesher asks for one place at a time (k is 1), about three times per triangle, and
         works on one thread, because Python does. A simple function of x and y costs about 0.2 microseconds each time,
         one of arrays 3 or more. Lengths at points, also of a coarse mesh, cost less and are for all threads.
-      grading: lengths grow by at most this number per unit of distance, from segments and from lengths in arrays.
+      grading: lengths grow by at most this number per unit of distance, from segments, from lengths in arrays, and from
+        `sources`: `Sources`, the path of their file, rows of x, y and length, or a dict of lengths by marker.
       feature_size: at least this number of edges across narrow places.
       conforming: every edge is Delaunay, those on segments, too. convex_hull: the domain is the convex hull.
 
@@ -87,8 +92,12 @@ def mesh(points: DomainLike, segments: Optional[npt.ArrayLike] = None, *, holes:
                        min_edge=min_edge, placement=placement, interior=interior, split_boundary=split_boundary,
                        split_segments=split_segments)
     distance = None if snap is None else number("snap", snap)
+    sizes = sizes_of(size, len(domain.points))
+    places = sources_of(sources, grading)
+    if places is not None:
+        sizes.set_places(places)
     with reporting(progress) as report:
-        made = _pardel.mesh(domain._core, goal, options, sizes_of(size, len(domain.points)),
+        made = _pardel.mesh(domain._core, goal, options, sizes,
                             repair or snap is not None, distance, report)
     return Mesh._of(*made)
 

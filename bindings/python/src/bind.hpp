@@ -13,5 +13,10 @@ void bind_checker(pybind11::module_& module);
 void bind_files(pybind11::module_& module);
 void bind_parts(pybind11::module_& module);
 void bind_voronoi(pybind11::module_& module);
+void bind_shapes(pybind11::module_& module);
+void bind_domains(pybind11::module_& module);
+void bind_sizes(pybind11::module_& module);
+/// Only if cairo is there.
+void bind_pictures(pybind11::module_& module);
 
 }  // namespace pardel::python

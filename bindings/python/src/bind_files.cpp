@@ -5,6 +5,7 @@
 #include <pardel/core/formats.hpp>
 #include <variant>
 
+#include "../../../cli/read_geojson.hpp"
 #include "bind.hpp"
 #include "call.hpp"
 #include "errors.hpp"
@@ -15,9 +16,14 @@ namespace py = pybind11;
 namespace pardel::python {
 namespace {
 
+std::variant<Pslg, Mesh> domain_or_mesh(const std::filesystem::path& file) {
+  if (cli::is_geojson(file)) return value_of(cli::read_geojson(file));
+  return value_of(read_pslg_or_mesh(file));
+}
+
 /// A Pslg or a HeldMesh.
 py::object read_file(const std::filesystem::path& file) {
-  std::variant<Pslg, Mesh> read = Call().run([&] { return value_of(read_pslg_or_mesh(file)); });
+  std::variant<Pslg, Mesh> read = Call().run([&] { return domain_or_mesh(file); });
   if (Pslg* domain = std::get_if<Pslg>(&read)) return py::cast(std::make_shared<Pslg>(std::move(*domain)));
   return py::cast(std::make_shared<HeldMesh>(std::move(std::get<Mesh>(read))));
 }

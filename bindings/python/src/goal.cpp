@@ -55,10 +55,14 @@ Goal with_sizes(Goal goal, const Sizes& sizes, const SizeFunction* function, con
     const Mesh& mesh = sizes.mesh->usable();
     goal.size = value_of(interpolated_size(mesh, sizes.lengths, options));
     if (limits_gradation) goal.sources = value_of(size_sources(mesh, sizes.lengths, goal.grading));
+  } else if (sizes.raster) {
+    goal.size = value_of(interpolated_size(*sizes.raster, "the raster of the sizes"));
+    if (limits_gradation) goal.sources = value_of(size_sources(*sizes.raster, goal.grading));
   } else if (!sizes.lengths.empty() && domain != nullptr) {
     goal.size = value_of(interpolated_size(*domain, sizes.lengths, options));
     if (limits_gradation) goal.sources = value_of(size_sources(*domain, sizes.lengths, goal.grading, options));
   }
+  if (sizes.places && domain != nullptr) add_places(*sizes.places, *domain, goal);
   return goal;
 }
 
@@ -98,7 +102,12 @@ void bind_goal(py::module_& module) {
           [](py::object function, bool takes_numbers) {
             return Sizes{{}, {}, std::move(function), takes_numbers ? Takes::numbers : Takes::arrays};
           },
-          py::arg("function"), py::arg("takes_numbers"));
+          py::arg("function"), py::arg("takes_numbers"))
+      .def_static(
+          "on_raster", [](const std::shared_ptr<Raster>& raster) { return Sizes{.raster = raster}; }, py::arg("raster"))
+      .def(
+          "set_places", [](Sizes& sizes, const std::shared_ptr<Places>& places) { sizes.places = places; },
+          py::arg("places"));
 }
 
 }  // namespace pardel::python

@@ -5,21 +5,26 @@
 
 #include <memory>
 #include <pardel/core/goal.hpp>
+#include <pardel/core/raster.hpp>
 #include <pardel/parallel/options.hpp>
 #include <pardel/parallel/validate.hpp>
 #include <vector>
 
 #include "held_mesh.hpp"
+#include "places.hpp"
 #include "size_function.hpp"
 
 namespace pardel::python {
 
-/// Where lengths are given: nowhere; at the points of the domain; at the points of another mesh; by a function.
+/// Where lengths are given: nowhere; at the points of the domain; at the points of another mesh; by a function; on a
+/// raster. And places from which lengths grow, or none.
 struct Sizes {
   std::vector<double> lengths{};  ///< one per point
   std::shared_ptr<HeldMesh> mesh{};
   pybind11::object function{};
   Takes takes = Takes::arrays;
+  std::shared_ptr<const Raster> raster{};
+  std::shared_ptr<const Places> places{};
 };
 
 /// The function of the sizes, if they have one. Call it with the interpreter lock.
