@@ -1,122 +1,23 @@
 #include "drawn_lengths.hpp"
 
-#include <algorithm>
-#include <cstdint>
-#include <limits>
-#include <map>
-#include <set>
 #include <utility>
 
-#include "../parallel/mesher.hpp"
-#include "../parallel/sizes.hpp"
-#include "drawn_faces.hpp"
 #include "input.hpp"
 #include "read_geojson.hpp"
 
 namespace pardel::cli {
-namespace {
-
-/// The sides of the polygons, each once, with the numbers that their ends have in the file.
-class Sides {
- public:
-  explicit Sides(const Pslg& drawing) {
-    for (const Point& p : drawing.points) number_.try_emplace({p.x, p.y}, number_.size());
-  }
-  void add(const std::vector<Point>& ring) {
-    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
-      const Index a = index_of(ring[j]), b = index_of(ring[i]);
-      if (a != b && between_.insert(std::minmax(a, b)).second) domain_.pslg.segments.push_back({a, b});
-    }
-  }
-  /// Adds the corners of a box around all sides. Then the triangles at the hull are outside of all polygons. The box is
-  /// near the sides, because a mesh of a long way from a round polygon to a far corner takes quadratic time.
-  void add_frame() {
-    if (domain_.pslg.points.empty()) return;
-    const auto [left, right] = std::ranges::minmax(domain_.pslg.points, {}, &Point::x);
-    const auto [bottom, top] = std::ranges::minmax(domain_.pslg.points, {}, &Point::y);
-    const double margin = std::max(right.x - left.x, top.y - bottom.y);
-    const double west = left.x - margin, east = right.x + margin, south = bottom.y - margin, north = top.y + margin;
-    for (const Point corner : {Point{west, south}, {east, south}, {east, north}, {west, north}}) {
-      domain_.pslg.points.push_back(corner);
-      domain_.points.of_points.push_back(number_.size());
-    }
-  }
-  [[nodiscard]] Domain take() && { return std::move(domain_); }
-
- private:
-  Index index_of(Point p) {
-    const auto [found, is_new] = index_.try_emplace({p.x, p.y}, static_cast<Index>(domain_.pslg.points.size()));
-    if (!is_new) return found->second;
-    domain_.pslg.points.push_back(p);
-    domain_.points.of_points.push_back(number_.at({p.x, p.y}));
-    return found->second;
-  }
-
-  Domain domain_;
-  std::map<std::pair<double, double>, std::uint64_t> number_;  ///< in the file
-  std::map<std::pair<double, double>, Index> index_;           ///< in domain_
-  std::set<std::pair<Index, Index>> between_;
-};
-
-/// The sides and a frame around them. The domain is their convex hull.
-Domain framed(const DrawnDomain& drawing, const std::vector<DrawnPolygon>& polygons, const std::string& name) {
-  Sides sides(drawing.pslg);
-  for (const DrawnPolygon& polygon : polygons)
-    for (const std::vector<Point>& ring : polygon.rings) sides.add(ring);
-  sides.add_frame();
-  Domain domain = std::move(sides).take();
-  domain.name = name;
-  domain.has_unnumbered_segments = true;
-  return domain;
-}
-
-double least_length(const std::vector<const DrawnPolygon*>& polygons) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const DrawnPolygon* polygon : polygons) least = std::min(least, *polygon->length);
-  return least;
-}
-
-/// The least length of the polygons around a point. Each polygon has a length.
-Result<std::function<double(Point)>> length_inside(std::vector<DrawnPolygon> polygons, Domain sides,
-                                                   CrossingPolygons crossing) {
-  const bool is_wrong = !find_problems(sides.pslg, {.convex_hull = true}).empty();
-  const bool repair = is_wrong && crossing == CrossingPolygons::repaired;
-  const std::string name = sides.name;
-  Result<MaybeRepaired, Refusal> valid = valid_domain(std::move(sides), repair, {.convex_hull = true}, 0);
-  if (!valid) return valid.error().error;
-  DrawnDomain drawing{std::move(valid->domain).pslg(), std::move(polygons)};
-  std::vector<Region> regions;
-  std::vector<double> lengths;
-  for (const DrawnFace& face : drawn_faces(drawing)) {
-    if (face.polygons.empty()) continue;
-    regions.push_back({.seed = face.seed});
-    lengths.push_back(least_length(face.polygons));
-  }
-  drawing.pslg.regions = std::move(regions);
-  const Result<ValidPslg, std::vector<Problem>> domain = validate(std::move(drawing.pslg), {.convex_hull = true});
-  if (!domain) return Error{ErrorKind::invalid_input, name + ": " + messages(domain.error())};
-  Result<RegionSizes> sizes = region_sizes(*domain, lengths);
-  if (!sizes) return with_name(sizes.error(), name);
-  return std::move(sizes->size);
-}
-
-}  // namespace
 
 Result<DrawnLengths> read_drawn_lengths(const std::filesystem::path& file, CrossingPolygons crossing) {
   Result<DrawnDomain> drawing = read_drawing(file, LengthProperty::read);
   if (!drawing) return drawing.error();
-  DrawnLengths lengths{std::move(drawing->sources)};
-  if (lengths.sources.empty())
-    return Error{ErrorKind::invalid_input,
-                 file.string() + ": expected an edge length: no point, line or polygon has the property 'length'"};
-  std::vector<DrawnPolygon> polygons = std::move(drawing->polygons);
-  std::erase_if(polygons, [](const DrawnPolygon& polygon) { return !polygon.length; });
-  Domain sides = framed(*drawing, polygons, file.string());
-  if (sides.pslg.segments.empty()) return lengths;
-  Result<std::function<double(Point)>> size = length_inside(std::move(polygons), std::move(sides), crossing);
-  if (!size) return size.error();
-  lengths.size = std::move(*size);
-  return lengths;
+  return lengths_of(std::move(*drawing), file.string(), [&](FramedSides sides) -> Result<ValidPslg> {
+    Domain domain{std::move(sides.pslg), file.string(), std::move(sides.points), true};
+    const bool is_wrong = !find_problems(domain.pslg, {.convex_hull = true}).empty();
+    const bool repair = is_wrong && crossing == CrossingPolygons::repaired;
+    Result<MaybeRepaired, Refusal> valid = valid_domain(std::move(domain), repair, {.convex_hull = true}, 0);
+    if (!valid) return valid.error().error;
+    return std::move(valid->domain);
+  });
 }
 
 }  // namespace pardel::cli

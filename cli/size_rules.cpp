@@ -66,10 +66,8 @@ Status add_rules(const SizeRules& rules, const std::string& name, const ValidPsl
     goal.sources.push_back(source(rule.place, rule.place, rule.length));
   for (const SizeRules::OnMarker& rule : rules.markers)
     if (!add_marked(rule, domain.pslg(), goal.sources))
-      return Error{
-          ErrorKind::invalid_input,
-          fmt::format("{}: no segment and no point of the domain has the marker {}", place_of(name, rule.line),
-                      rule.marker)};
+      return Error{ErrorKind::invalid_input, fmt::format("{}: no segment and no point of the domain has the marker {}",
+                                                         place_of(name, rule.line), rule.marker)};
   return add_regions(rules, name, domain, goal);
 }
 

@@ -38,7 +38,7 @@ const std::vector<Layer>& layers() {
       {"properties/mutants", {"core", "properties/checker", "properties/defects", "properties/theorems"}},
       {"cli", {"core", "parallel", "off_the_shelf", "properties/checker", "properties/domains"}},
       {"cli/harness", {"core", "properties/checker", "properties/domains", "cli"}},
-      {"bindings/python", {"core", "parallel", "properties/checker"}},
+      {"bindings/python", {"core", "parallel", "properties/checker", "properties/domains", "cli"}},
       {"mpi", {"core", "parallel", "distributed", "off_the_shelf", "properties/checker", "cli"}},
       {"fuzz",
        {"core", "parallel", "ref", "properties/checker", "properties/comparison", "properties/domains",

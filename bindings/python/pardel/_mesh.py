@@ -165,8 +165,8 @@ class Mesh:
         """
         return plot_mesh(self, ax, by, edges, segments, colorbar, **options)
 
-    def _repr_svg_(self) -> str:
-        return svg_of_mesh(self.points, self.triangles, self.segments, self.regions)
+    def _repr_svg_(self) -> Optional[str]:
+        return svg_of_mesh(self)
 
     def __reduce__(self) -> Tuple[Any, ...]:
         raise TypeError("a Mesh cannot be pickled; write it to a file, or pickle its arrays")

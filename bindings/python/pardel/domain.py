@@ -101,7 +101,7 @@ class Domain:
         return plot_domain(self, ax, points, **options)
 
     def _repr_svg_(self) -> str:
-        return svg_of_domain(self.points, self.segments, self.holes, self.regions[:, :2])
+        return svg_of_domain(self)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Domain):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any, List, Optional, Sequence, Tuple, Union
+from typing import Any, List, Optional, Sequence, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -11,7 +11,7 @@ import numpy.typing as npt
 from . import _pardel
 from .domain import Domain
 from .errors import UsageError
-from .shapes import Item, parts_of
+from .shapes import Item, Part, parts_of
 
 # The name of a property; a number for all; one number per geometry of the list, None or not a number for none.
 Of = Union[None, str, float, Sequence[Optional[float]], npt.ArrayLike]
@@ -41,16 +41,28 @@ def geometry(shapes: Any, *, attribute: Of = None, max_area: Of = None, marker: 
     Domain(6 points, 7 segments, 2 regions)
     """
     parts, items = parts_of(shapes)
-    rows = np.full((max(len(items), 1), 4), math.nan)
-    rows[:, 0] = _whole("marker", _numbers("marker", marker, items))
-    rows[:, 1] = np.nan_to_num(_numbers("hole", hole, items)) != 0
-    rows[:, 2] = _numbers("attribute", attribute, items)
-    rows[:, 3] = _positive("max_area", _numbers("max_area", max_area, items), items)
-    starts = np.cumsum([0] + [len(part.coordinates) for part in parts])
+    return Domain._of(_pardel.domain_of_shapes(_arrays(parts, items, [
+        _whole("marker", _numbers("marker", marker, items)),
+        np.nan_to_num(_numbers("hole", hole, items)) != 0,
+        _numbers("attribute", attribute, items),
+        _positive("max_area", _numbers("max_area", max_area, items), items),
+        np.full(len(items), math.nan)])))
+
+
+def lengths_of(shapes: Any, length: Of) -> _pardel.Places:
+    """The places of shapes that have a length."""
+    parts, items = parts_of(shapes)
+    lengths = _positive("length", _numbers("length", length, items), items)
+    none = np.full(len(items), math.nan)
+    return _pardel.Places.of_shapes(_arrays(parts, items, [none, np.zeros(len(items)), none, none, lengths]))
+
+
+def _arrays(parts: List[Part], items: List[Item], properties: List[npt.NDArray[Any]]) -> _pardel.Shapes:
     coordinates = np.concatenate([np.empty((0, 2))] + [part.coordinates for part in parts])
-    return Domain._of(_pardel.domain_of_shapes(
-        coordinates, starts, np.array([part.kind for part in parts], dtype=np.int64),
-        np.array([part.item for part in parts], dtype=np.int64), rows))
+    return _pardel.Shapes(coordinates, np.cumsum([0] + [len(part.coordinates) for part in parts]),
+                          np.array([part.kind for part in parts], dtype=np.int64),
+                          np.array([part.item for part in parts], dtype=np.int64),
+                          np.stack([each.astype(np.float64) for each in properties], axis=1))
 
 
 def _numbers(name: str, of: Of, items: List[Item]) -> npt.NDArray[np.float64]:
@@ -99,8 +111,9 @@ def _whole(name: str, values: npt.NDArray[np.float64]) -> npt.NDArray[np.float64
 
 
 def _positive(name: str, values: npt.NDArray[np.float64], items: List[Item]) -> npt.NDArray[np.float64]:
-    wrong = np.flatnonzero(values <= 0)
+    wrong = np.flatnonzero((values <= 0) | (np.isinf(values) & (name == "length")))
     if wrong.size:
         place = items[wrong[0]].place
-        raise UsageError(f"{name} of {place} is {values[wrong[0]]}; a number greater than 0 is needed")
+        raise UsageError(f"{name} of {place} is {values[wrong[0]]}; a {'finite ' if name == 'length' else ''}"
+                         f"number greater than 0 is needed")
     return values

@@ -60,7 +60,8 @@ def mesh(points: DomainLike, segments: Optional[npt.ArrayLike] = None, *, holes:
         works on one thread, because Python does. A simple function of x and y costs about 0.2 microseconds each time,
         one of arrays 3 or more. Lengths at points, also of a coarse mesh, cost less and are for all threads.
       grading: lengths grow by at most this number per unit of distance, from segments, from lengths in arrays, and from
-        `sources`: `Sources`, the path of their file, rows of x, y and length, or a dict of lengths by marker.
+        `sources`: `Sources`, the path of their file, geometries with a length, rows of x, y and length, or a dict of
+        lengths by marker.
       feature_size: at least this number of edges across narrow places.
       conforming: every edge is Delaunay, those on segments, too. convex_hull: the domain is the convex hull.
 

@@ -170,8 +170,13 @@ def _each(coordinates: Any, place: str) -> Iterator[Tuple[Any, str]]:
 def _positions(coordinates: Any, place: str, what: str) -> Numbers:
     """Shape (n, 2). A third coordinate is left out."""
     try:
-        array = np.asarray([each[:2] for each in coordinates], dtype=np.float64)
-    except (TypeError, ValueError, IndexError):
+        if any(isinstance(each, str) for each in coordinates[0]):
+            raise ValueError
+        try:
+            array = np.asarray(coordinates, dtype=np.float64)[:, :2]
+        except ValueError:  # some positions have a height, and others have none
+            array = np.asarray([each[:2] for each in coordinates], dtype=np.float64)
+    except (TypeError, ValueError, LookupError):
         array = np.empty(0)
     if array.ndim != 2 or array.shape[1] != 2:
         raise UsageError(f"{place} is not {what}; a position is two or three numbers")

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Dict, Mapping, Optional, Union
+from typing import Any, Dict, Mapping, Optional, Sequence, Union
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _pardel, arrays
+from .domain import HasGeoInterface
 from .errors import UsageError
+from .geometry import Of, lengths_of
 from .paths import Path
+from .shapes import is_shapes
 
 
 class Sources:
@@ -37,9 +40,25 @@ class Sources:
 
     @classmethod
     def read(cls, path: Path) -> Sources:
-        """The places that a file of the program's option ``--sources`` names (docs/formats.md)."""
+        """The places that a file of the program's option ``--sources`` names, also one of GeoJSON (docs/formats.md)."""
+        return cls._of(_pardel.Places.read(os.fspath(path)))
+
+    @classmethod
+    def of(cls, shapes: Any, length: Of = None) -> Sources:
+        """Points, lines and polygons, in each form that `geometry` takes. A length holds inside a polygon, too.
+
+        length: the name of a property, a number for all, or one number per geometry; by default the property
+        ``length``. Shapes without a length do not count. Sides of polygons that cross are mended.
+
+        >>> Sources.of({"type": "Point", "coordinates": (0.5, 0.5)}, 0.01)
+        Sources(1 places)
+        """
+        return cls._of(lengths_of(shapes, length))
+
+    @classmethod
+    def _of(cls, core: _pardel.Places) -> Sources:
         sources = cls.__new__(cls)
-        sources._core = _pardel.Places.read(os.fspath(path))
+        sources._core = core
         return sources
 
     def __len__(self) -> int:
@@ -49,17 +68,19 @@ class Sources:
         return f"Sources({len(self)} places)"
 
 
-SourcesLike = Union[Sources, Path, npt.ArrayLike, Mapping[int, float]]
+SourcesLike = Union[Sources, Path, npt.ArrayLike, Mapping[Any, Any], HasGeoInterface, Sequence[HasGeoInterface]]
 
 
 def sources_of(value: Optional[SourcesLike], grading: Optional[float]) -> Optional[_pardel.Places]:
-    """The places that an argument stands for: `Sources`, a path, rows of x, y and length, or lengths by marker."""
+    """The places that an argument stands for: `Sources`, a path, shapes, rows of x, y and length, lengths by marker."""
     if value is None:
         return None
     if grading is None:
         raise UsageError("sources needs grading, by which lengths grow from them")
     if isinstance(value, (str, os.PathLike)):
         return Sources.read(value)._core
+    if is_shapes(value):
+        return Sources.of(value)._core
     if isinstance(value, Mapping):
         return Sources(markers=value)._core
     if not isinstance(value, Sources):

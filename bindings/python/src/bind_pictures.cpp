@@ -31,12 +31,15 @@ struct Picture {
   std::optional<std::string> title;
 
   [[nodiscard]] cli::Canvas canvas(std::span<const Point> points) const {
-    const cli::Window around = window ? cli::Window{{(*window)[0], (*window)[1]}, {(*window)[2], (*window)[3]}}
-                                      : cli::window_around(points);
+    const cli::Window around =
+        window ? cli::Window{{(*window)[0], (*window)[1]}, {(*window)[2], (*window)[3]}} : cli::window_around(points);
     const auto format = file.extension() == ".png" ? cli::PictureFormat::png : cli::PictureFormat::svg;
     return {file,
             around,
-            {.format = format, .pixels = static_cast<double>(pixels), .legend = title.has_value(), .cut = window.has_value()}};
+            {.format = format,
+             .pixels = static_cast<double>(pixels),
+             .legend = title.has_value(),
+             .cut = window.has_value()}};
   }
 };
 

@@ -8,21 +8,17 @@
 #include <pardel/core/formats.hpp>
 #include <pardel/core/raster.hpp>
 
-#include "../../../cli/size_rules.hpp"
+#include "../../../cli/read_geojson.hpp"
 #include "arrays.hpp"
 #include "bind.hpp"
 #include "call.hpp"
 #include "errors.hpp"
 #include "places.hpp"
+#include "shapes.hpp"
 
 namespace py = pybind11;
 
 namespace pardel::python {
-
-void add_places(const Places& places, const ValidPslg& domain, Goal& goal) {
-  require(cli::add_rules(places.rules, places.name, domain, goal));
-  cli::add_lengths({}, places.lines, goal);
-}
 
 namespace {
 
@@ -50,16 +46,25 @@ std::shared_ptr<Places> make_places(const Numbers& points, const Numbers& lines,
     places->rules.points.push_back({{*points.data(k, 0), *points.data(k, 1)}, *points.data(k, 2)});
   for (py::ssize_t k = 0; k < lines.shape(0); ++k) {
     const double* row = lines.data(k, 0);
-    places->lines.push_back({{row[0], row[1]}, {row[2], row[3]}, row[4], row[5]});
+    places->drawn.sources.push_back({{row[0], row[1]}, {row[2], row[3]}, row[4], row[5]});
   }
   for (const auto& [marker, length] : markers) places->rules.markers.push_back({marker, length});
   for (const auto& [attribute, length] : regions) places->rules.regions.push_back({attribute, length});
   return places;
 }
 
+Places places_in(const std::filesystem::path& file) {
+  if (cli::is_geojson(file))
+    return places_of(value_of(cli::read_drawing(file, cli::LengthProperty::read)), file.string());
+  return {.rules = value_of(read_size_rules(file)), .name = file.string()};
+}
+
 std::shared_ptr<Places> read_places(const std::filesystem::path& file) {
-  return std::make_shared<Places>(
-      Places{Call().run([&] { return value_of(read_size_rules(file)); }), {}, file.string()});
+  return std::make_shared<Places>(Call().run([&] { return places_in(file); }));
+}
+
+std::shared_ptr<Places> places_of_shapes(const Shapes& shapes) {
+  return std::make_shared<Places>(Call().run([&] { return places_of(drawing_of(shapes), "sources"); }));
 }
 
 }  // namespace
@@ -70,10 +75,8 @@ void bind_sizes(py::module_& module) {
            py::arg("step_y"))
       .def_static("read", &read_raster_file, py::arg("file"))
       .def_property_readonly("shape", [](const Raster& r) { return py::make_tuple(r.rows, r.columns); })
-      .def_property_readonly("extent",
-                             [](const Raster& r) {
-                               return py::make_tuple(r.low().x, r.high().x, r.low().y, r.high().y);
-                             })
+      .def_property_readonly(
+          "extent", [](const Raster& r) { return py::make_tuple(r.low().x, r.high().x, r.low().y, r.high().y); })
       .def_property_readonly("values", [](const py::object& self) {
         const Raster& raster = *self.cast<const Raster*>();
         return view(raster.values.data(), raster.rows, raster.columns, raster.columns * sizeof(double), self);
@@ -81,9 +84,10 @@ void bind_sizes(py::module_& module) {
   py::class_<Places, std::shared_ptr<Places>>(module, "Places")
       .def(py::init(&make_places), py::arg("points"), py::arg("lines"), py::arg("markers"), py::arg("regions"))
       .def_static("read", &read_places, py::arg("file"))
+      .def_static("of_shapes", &places_of_shapes, py::arg("shapes"))
       .def("__len__", [](const Places& places) {
         const SizeRules& rules = places.rules;
-        return rules.points.size() + rules.markers.size() + rules.regions.size() + places.lines.size();
+        return rules.points.size() + rules.markers.size() + rules.regions.size() + places.drawn.sources.size();
       });
 }
 

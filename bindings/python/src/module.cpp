@@ -8,6 +8,7 @@ PYBIND11_MODULE(_pardel, module) {
   using namespace pardel::python;
   bind_errors();
   bind_domain(module);
+  bind_shapes(module);
   bind_sizes(module);
   bind_goal(module);
   bind_mesh(module);
@@ -16,7 +17,6 @@ PYBIND11_MODULE(_pardel, module) {
   bind_files(module);
   bind_parts(module);
   bind_voronoi(module);
-  bind_shapes(module);
   bind_domains(module);
 #ifdef PARDEL_HAS_PICTURES
   bind_pictures(module);

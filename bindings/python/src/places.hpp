@@ -3,19 +3,23 @@
 
 #include <pardel/core/goal.hpp>
 #include <pardel/core/size_rules.hpp>
-#include <pardel/core/size_source.hpp>
 #include <pardel/parallel/validate.hpp>
 #include <string>
 #include <vector>
 
+#include "../../../cli/lengths_of_drawing.hpp"
+
 namespace pardel::python {
 
-/// Those of a file of the program's option --sources, or of arrays.
+/// Those of a file of the program's option --sources, of arrays, or of shapes.
 struct Places {
   SizeRules rules{};
-  std::vector<SizeSource> lines{};
+  cli::DrawnLengths drawn{};
   std::string name{};  ///< of the file, or of the argument, for messages
 };
+
+/// The places with a length in a drawing. Sides that cross are repaired. Throws a Failure.
+[[nodiscard]] Places places_of(cli::DrawnDomain drawing, std::string name);
 
 /// Adds the lengths to the goal. Throws a Failure if the domain lacks a marker or an attribute.
 void add_places(const Places& places, const ValidPslg& domain, Goal& goal);

@@ -16,8 +16,9 @@ import pytest
 import pardel
 
 SOURCE = Path(os.environ.get("PARDEL_SOURCE", Path(__file__).resolve().parents[3]))
-MODULES = ("pardel", "pardel._mesh", "pardel.checking", "pardel.domain", "pardel.files", "pardel.meshing",
-           "pardel.polygons", "pardel.validation")
+MODULES = ("pardel", "pardel._mesh", "pardel.checking", "pardel.domain", "pardel.files", "pardel.generating",
+           "pardel.geometry", "pardel.meshing", "pardel.pictures", "pardel.polygons", "pardel.raster", "pardel.sources",
+           "pardel.validation")
 
 
 def run(*command, **options):
