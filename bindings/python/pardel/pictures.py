@@ -26,7 +26,8 @@ def draw(path: Path, mesh: Any, *, by: str = "region", window: Optional[Sequence
     by: the colour of triangles: ``region``, ``quality`` (the smallest angle) or ``size`` (the longest edge).
     window: (x0, y0, x1, y1): only this rectangle. pixels: the longer side, from 50 to 20000; by default 1600 for .png
     and 1000 for .svg. title: the first line of the legend; by default the name of the picture.
-    Raises `FileError`; `UsageError`, also if the package was built without cairo. `write` draws without it.
+    Raises `FileError`; `UsageError`, also if the package was built without cairo; `ResourceError` if cairo is not
+    installed. `write` draws without it.
 
     >>> import tempfile
     >>> draw(tempfile.mkdtemp() + "/square.png", ([(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 1, 2), (0, 2, 3)]))

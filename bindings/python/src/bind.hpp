@@ -16,7 +16,7 @@ void bind_voronoi(pybind11::module_& module);
 void bind_shapes(pybind11::module_& module);
 void bind_domains(pybind11::module_& module);
 void bind_sizes(pybind11::module_& module);
-/// Only if cairo is there.
+/// Only if the headers of cairo are there.
 void bind_pictures(pybind11::module_& module);
 
 }  // namespace pardel::python

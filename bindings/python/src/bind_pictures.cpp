@@ -1,4 +1,5 @@
-// Pictures: what the program's command `draw` draws, with cairo. Without cairo this file is not compiled.
+// Pictures: what the program's command `draw` draws, with cairo. Without the headers of cairo this file is not
+// compiled.
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
@@ -34,7 +35,8 @@ struct Picture {
     const cli::Window around =
         window ? cli::Window{{(*window)[0], (*window)[1]}, {(*window)[2], (*window)[3]}} : cli::window_around(points);
     const auto format = file.extension() == ".png" ? cli::PictureFormat::png : cli::PictureFormat::svg;
-    return {file,
+    return {value_of(cli::load_cairo()),
+            file,
             around,
             {.format = format,
              .pixels = static_cast<double>(pixels),
