@@ -31,16 +31,24 @@ class Item(NamedTuple):
     place: str
 
 
+def _has_interface(value: Any) -> bool:
+    """Asks the class first: to compute the coordinates of a geometry takes long."""
+    return hasattr(type(value), "__geo_interface__") or hasattr(value, "__geo_interface__")
+
+
 def is_shape(value: Any) -> bool:
     """True for a geometry, a feature or a collection, also as a dict, and for a row of a GeoDataFrame."""
     if isinstance(value, Mapping):
         return "type" in value
-    return hasattr(value, "__geo_interface__") or hasattr(getattr(value, "geometry", None), "__geo_interface__")
+    return _has_interface(value) or _has_interface(getattr(value, "geometry", None))
 
 
 def is_shapes(value: Any) -> bool:
-    """True for a shape, and for a list or tuple that begins with one."""
-    return is_shape(value) or (isinstance(value, (list, tuple)) and len(value) > 0 and is_shape(value[0]))
+    """True for a shape, and for a list, a tuple or an array of objects that begins with one."""
+    if is_shape(value):
+        return True
+    has_objects = isinstance(value, (list, tuple)) or getattr(getattr(value, "dtype", None), "kind", None) == "O"
+    return has_objects and len(value) > 0 and is_shape(next(iter(value)))
 
 
 def parts_of(shapes: Any) -> Tuple[List[Part], List[Item]]:
@@ -76,7 +84,7 @@ class _Reader:
         if level > _MOST_LEVELS:
             raise UsageError(f"{place} has more than {_MOST_LEVELS} collections in each other")
         _refuse_degrees(shape, place)
-        if not isinstance(shape, Mapping) and not hasattr(shape, "__geo_interface__"):
+        if not isinstance(shape, Mapping) and not _has_interface(shape):
             return self._read_row(shape, place, number, level)
         if getattr(shape, "is_empty", False) is True:
             return None
@@ -100,7 +108,7 @@ class _Reader:
     def _read_row(self, row: Any, place: str, number: Any, level: int) -> None:
         """A row of a GeoDataFrame: a pandas.Series, or a named tuple."""
         geometry = getattr(row, "geometry", None)
-        if not hasattr(geometry, "__geo_interface__"):
+        if not _has_interface(geometry):
             raise UsageError(f"{place} is a {type(row).__name__}; an object with __geo_interface__ or a dict of "
                              f"GeoJSON is needed")
         self.read(geometry, place, row._asdict() if hasattr(row, "_asdict") else row, number, level + 1)

@@ -167,7 +167,8 @@ def test_degrees_are_refused_unless_the_frame_hides_them():
     assert pardel.mesh(frame.__geo_interface__).area() == pytest.approx(12)
 
 
-@pytest.mark.parametrize("shapes", [FRAME, shapely.shape(FRAME), [FRAME], (shapely.shape(FRAME),), feature(FRAME)])
+@pytest.mark.parametrize("shapes", [FRAME, shapely.shape(FRAME), [FRAME], (shapely.shape(FRAME),), feature(FRAME),
+                                    np.array([shapely.shape(FRAME), None], dtype=object)[:1]])
 def test_every_function_that_takes_a_domain_takes_shapes(shapes, tmp_path):
     mesh = pardel.mesh(shapes, max_area=0.5)
     assert pardel.check(shapes, mesh, max_area=0.5).valid
