@@ -78,8 +78,8 @@ class Certificate:
 
 def check(domain: DomainLike, mesh: Any, *, min_angle: float = 20.7, max_area: Optional[float] = None,
           max_edge: Optional[float] = None, size: Optional[Size] = None, sources: Optional[SourcesLike] = None,
-          grading: Optional[float] = None, feature_size: Optional[float] = None, conforming: bool = False, convex_hull: bool = False,
-          max_circumradius: float = 0, max_violations: int = 1000) -> Certificate:
+          grading: Optional[float] = None, feature_size: Optional[float] = None, conforming: bool = False,
+          convex_hull: bool = False, max_circumradius: float = 0, max_violations: int = 1000) -> Certificate:
     """Proves in exact arithmetic that a mesh is right for a domain and keeps the bounds, or lists what is wrong.
 
     domain: a `Domain`, the path of a file, geometries, or an array of points whose convex hull is the domain.

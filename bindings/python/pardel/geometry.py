@@ -73,7 +73,8 @@ def _numbers(name: str, of: Of, items: List[Item]) -> npt.NDArray[np.float64]:
         values = np.asarray([math.nan if each is None else each for each in of]
                             if isinstance(of, (list, tuple)) else of, dtype=np.float64)
     except (TypeError, ValueError):
-        raise UsageError(f"{name} is {of!r}; the name of a property, a number, or a list of numbers is needed") from None
+        raise UsageError(f"{name} is {of!r}; the name of a property, a number, or a list of numbers is "
+                         f"needed") from None
     if values.ndim == 0:
         return np.full(len(items), values)
     needed = 1 + max((item.number for item in items), default=-1)

@@ -44,7 +44,7 @@ class Raster:
 
     @classmethod
     def read(cls, path: Path) -> Raster:
-        """An ESRI ASCII grid (.asc), or an .npy with a world file .wld beside it. Raises `FileError`, `InvalidInput`."""
+        """An ESRI ASCII grid (.asc), or an .npy with a world file .wld. Raises `FileError`, `InvalidInput`."""
         raster = cls.__new__(cls)
         raster._core = _pardel.Raster.read(os.fspath(path))
         return raster

@@ -148,7 +148,8 @@ class _Reader:
         for k, (each, its_place) in enumerate(_each(coordinates, place)):
             ring = _positions(each, its_place, "a ring")
             if len(ring) < 4 or not np.array_equal(ring[0], ring[-1]):
-                raise UsageError(f"{its_place} is no ring; a ring has at least four positions, and ends where it begins")
+                raise UsageError(f"{its_place} is no ring; a ring has at least four positions, and ends where it "
+                                 f"begins")
             self.parts.append(Part(INNER_RING if k else OUTER_RING, ring[:-1], item))
 
 

@@ -52,7 +52,8 @@ def test_holes_and_regions_are_placed_strictly_inside(polygons):
     union = ops.unary_union(polygons)
     assert all(not union.intersects(shapely.Point(place)) for place in domain.holes)
     assert all(union.contains(shapely.Point(place)) for place in domain.regions[:, :2])
-    assert not any(each.exterior.intersects(shapely.Point(place)) for each in polygons for place in domain.regions[:, :2])
+    assert not any(each.exterior.intersects(shapely.Point(place)) for each in polygons
+                   for place in domain.regions[:, :2])
 
 
 @given(boxes(), st.data())
@@ -180,56 +181,6 @@ def test_every_function_that_takes_a_domain_takes_shapes(shapes, tmp_path):
 def test_parts_of_a_domain_beside_shapes_are_a_usage_error():
     with pytest.raises(pardel.UsageError, match="holes cannot be given beside a domain"):
         pardel.mesh(FRAME, holes=[(2, 2)])
-
-
-WRONG = {
-    "a number": (3, "a geometry is needed"),
-    "no shape in a list": ([FRAME, 3], "geometry 1 is a int"),
-    "an unknown type": ({"type": "Circle"}, "the geometry has the type 'Circle'"),
-    "no coordinates": ({"type": "Point"}, "the geometry.coordinates is a NoneType; a list is needed"),
-    "text": ({"type": "Point", "coordinates": "here"}, "the geometry.coordinates is a str"),
-    "one number": ({"type": "Point", "coordinates": [1]}, "the geometry.coordinates is not a position"),
-    "numbers as text": ({"type": "Point", "coordinates": ["1", "2"]}, "coordinates is not a position"),
-    "a short line": ({"type": "LineString", "coordinates": [(0, 0)]}, "a line needs two"),
-    "an open ring": ({"type": "Polygon", "coordinates": [SQUARE[:-1]]}, r"coordinates\[0\] is no ring"),
-    "a flat polygon": ({"type": "Polygon", "coordinates": SQUARE}, r"coordinates\[0\] is not a ring"),
-    "a polygon of numbers": ({"type": "Polygon", "coordinates": [1, 2]}, r"coordinates\[0\] is a int"),
-    "a ring of a multipolygon": ({"type": "MultiPolygon", "coordinates": [[SQUARE], [WINDOW[:3]]]},
-                                 r"coordinates\[1\]\[0\] is no ring"),
-    "not finite": ([FRAME, {"type": "LineString", "coordinates": [(0, 0), (0, float("nan"))]}],
-                   r"geometry 1.coordinates\[1\] has a coordinate that is not finite"),
-    "features of nothing": ({"type": "FeatureCollection"}, "the geometry.features is a NoneType"),
-    "wrong properties": ({"type": "Feature", "geometry": FRAME, "properties": [1]}, "properties is a list"),
-    "an attribute of text": (feature(FRAME, attribute="clay"), "the property 'attribute' is 'clay'; a number"),
-    "an area of zero": (feature(FRAME, max_area=0), "max_area of the geometry.geometry is 0.0"),
-    "a marker of a half": (feature(FRAME, marker=0.5), "marker has the number 0.5"),
-    "too many collections": (None, "more than 16 collections"),
-}
-
-
-@pytest.mark.parametrize("what", WRONG)
-def test_a_wrong_shape_is_named_with_its_place(what):
-    shapes, message = WRONG[what]
-    if shapes is None:
-        shapes = FRAME
-        for _ in range(20):
-            shapes = {"type": "GeometryCollection", "geometries": [shapes]}
-    with pytest.raises(pardel.UsageError, match=message):
-        pardel.geometry(shapes)
-
-
-@pytest.mark.parametrize("options, message", [
-    (dict(attribute="soil"), "attribute is 'soil', and no feature has this property; there are sand"),
-    (dict(attribute=[1]), r"attribute has the shape \(1,\); \(2,\) is needed, one number per geometry"),
-    (dict(attribute=["clay", "sand"]), "the name of a property, a number, or a list of numbers is needed"),
-    (dict(max_area=-1), "max_area of geometry 0.geometry is -1.0"),
-    (dict(marker=[1, 2.5]), "marker has the number 2.5, which is no 32-bit integer"),
-    (dict(marker=2**40), "no 32-bit integer"),
-])
-def test_a_wrong_keyword_is_named(options, message):
-    features = [feature(FRAME, sand=1), feature(shapely.mapping(shapely.box(4, 0, 5, 1)))]
-    with pytest.raises(pardel.UsageError, match=message):
-        pardel.geometry(features, **options)
 
 
 def test_a_file_of_geojson_is_read_and_meshed_by_its_path(tmp_path):

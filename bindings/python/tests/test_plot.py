@@ -1,5 +1,6 @@
 """Plots with matplotlib, pictures in files, and pictures of notebooks."""
 
+import re
 import struct
 import sys
 from xml.etree import ElementTree
@@ -197,7 +198,7 @@ def test_a_notebook_shows_each_triangle_inside_the_picture(area, shift, scale):
     root = ElementTree.fromstring(picture)
     width, height = float(root.get("width")), float(root.get("height"))
     path = next(each.get("d") for tag, each in parsed(picture) if tag == "path")
-    numbers = np.array(path.replace("M", " ").replace("L", " ").replace("Z", " ").split(), dtype=float).reshape(-1, 3, 2)
+    numbers = np.array(re.split("[MLZ ]+", path)[1:-1], dtype=float).reshape(-1, 3, 2)
     assert len(numbers) == len(mesh.triangles)
     assert (numbers >= 0).all() and (numbers <= (width, height)).all()
 
