@@ -7,6 +7,7 @@
 True
 """
 
+from . import loading as _loading  # first: it decides how the threads of `_pardel` wait
 from ._mesh import Mesh, Quality
 from ._pardel import version as __version__
 from .checking import Certificate, Extreme, Violation, check

@@ -87,6 +87,18 @@ def test_the_interpreter_runs_on_during_a_mesh(square):
     assert longest[0] < 0.5 * took + 0.1
 
 
+@pytest.mark.parametrize("setting, spins", [({}, "1000"), ({"GOMP_SPINCOUNT": "7"}, "7"),
+                                            ({"OMP_WAIT_POLICY": "passive"}, "0")])
+def test_waiting_threads_soon_sleep_unless_the_user_decides_otherwise(setting, spins):
+    code = "import os; before = dict(os.environ); import pardel; assert dict(os.environ) == before"
+    free = {name: value for name, value in os.environ.items() if name not in ("GOMP_SPINCOUNT", "OMP_WAIT_POLICY")}
+    ran = subprocess.run([sys.executable, "-c", code], env={**free, **setting, "OMP_DISPLAY_ENV": "verbose"},
+                         capture_output=True, text=True, check=True)
+    if "GOMP_SPINCOUNT" not in ran.stderr:
+        pytest.skip("the OpenMP library is not GCC's")
+    assert f"GOMP_SPINCOUNT = '{spins}'" in ran.stderr
+
+
 def test_two_meshes_are_made_at_once_by_two_python_threads(square, plate):
     alone = [pardel.mesh(square, max_area=1e-5).digest, pardel.mesh(plate, max_area=1e-4).digest]
     together = [[], []]
