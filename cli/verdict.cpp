@@ -15,6 +15,7 @@ bool is_missed_bound(ViolationKind kind) {
     case ViolationKind::region_area:
     case ViolationKind::long_edge:
     case ViolationKind::size_exceeded:
+    case ViolationKind::user_test:
     case ViolationKind::large_circumradius:
       return true;
     default:

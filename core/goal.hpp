@@ -3,6 +3,7 @@
 // unless the goal is conforming: then it splits segments until all edges are Delaunay, and inserts no other point.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <limits>
 #include <vector>
@@ -14,6 +15,9 @@ namespace pardel {
 
 /// The most edges across narrow places that a goal may ask for, and the least limit on gradation.
 inline constexpr double most_feature_edges = 1e6, least_grading = 1e-12;
+
+/// A test of the user: true if the triangle with these corners and this area must be refined.
+using UserTest = std::function<bool(const std::array<Point, 3>& corners, double area)>;
 
 struct Goal {
   /// The least angle of a triangle, in degrees, from 0 (no bound) to 33, or to 45 if Options::max_vertices is set. The
@@ -52,6 +56,21 @@ struct Goal {
   /// by the reciprocal of this number per unit of distance, or by `grading` if that is less. docs/sizes.md has the
   /// definitions. Not for refine().
   double feature_edges = 0;
+  /// True for a triangle that must be refined, in addition to the other bounds; empty: no such test. It must be a pure
+  /// function of its arguments: then the mesh does not depend on the number of threads. The corners are in
+  /// counter-clockwise order from the lexicographically least one (the least x, and of these the least y). The area is
+  /// computed from the corners in this order, and not negative. user_test.hpp asks so, for the mesher and the checker.
+  /// The test is also asked about reduced copies of triangles, from which the mesher estimates how many triangles there
+  /// will be. If it throws, the mesher returns an error as for `size`, which names the corners.
+  ///
+  /// A test that is true for every triangle, however small, is refined down to the floor (Options::min_edge), which
+  /// takes too many triangles in nearly all domains. Set Options::max_vertices or min_edge if a test may be of this
+  /// kind. Report::exempt lists the triangles for which the test is still true, with the reasons, and
+  /// Report::fail_user_test counts them. A triangle is also split where small input angles would excuse its angles.
+  UserTest user_test{};
+  /// False: the test is asked by one thread at a time, and the run has one thread. True: the test has no state, and all
+  /// threads ask it. The mesh is the same.
+  bool user_test_is_free_of_state = false;
   /// True: the mesh must be Delaunay, that is, every edge is locally Delaunay, constrained edges too. False: the mesh
   /// must be constrained Delaunay.
   bool conforming = false;

@@ -27,7 +27,7 @@ Status mesh_in_pieces(const ValidPslg& domain, const Goal& goal, const Options& 
   if (pieces < ranks.count())
     return Error{ErrorKind::usage, "there must be at least as many pieces as ranks, " + std::to_string(ranks.count()) +
                                        ", not " + std::to_string(pieces)};
-  return supervised(options, [&](const Options& safe, ProgressMonitor& progress) {
+  return supervised(options_for(goal, options), [&](const Options& safe, ProgressMonitor& progress) {
     return mesh_in_ranks(domain.pslg(), domain.convex_hull() || goal.convex_hull, goal, safe, progress, ranks, pieces,
                          visit);
   });
@@ -66,7 +66,7 @@ std::vector<Problem> find_problems(PartOfPoints&& points, int threads, Ranks& ra
 
 bool can_divide_points(const Goal& goal, const Options& options) {
   const bool same_everywhere =
-      !goal.size && goal.sources.empty() && goal.grading == INFINITY && goal.feature_edges == 0;
+      !goal.size && !goal.user_test && goal.sources.empty() && goal.grading == INFINITY && goal.feature_edges == 0;
   const bool on_lattice = options.decomposition == Decomposition::automatic ||
                           options.decomposition == Decomposition::lattice ||
                           options.decomposition == Decomposition::none;

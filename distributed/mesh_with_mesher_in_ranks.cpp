@@ -51,6 +51,7 @@ Result<PieceWithMesher> run_in_ranks(const WorkWithMesher& work, const ValidPslg
 Result<PieceWithMesher> mesh_with_mesher(const ValidPslg& domain, const Goal& goal, SubdomainMesher& mesher,
                                          const MesherOptions& how, const Options& options, Ranks& ranks) {
   if (Status in_range = check_goal(goal, options); !in_range) return in_range.error();
+  if (goal.user_test) return Error{ErrorKind::usage, "a test of the user cannot be given to another mesher"};
   if (Status fits = check_distributable(options); !fits) return fits.error();
   return supervised(options, [&](const Options& safe, ProgressMonitor& progress) -> Result<PieceWithMesher> {
     const Result<MesherAbilities> abilities = checked_abilities(mesher, how);

@@ -149,7 +149,8 @@ class Judgement {
   [[nodiscard]] static bool is_bound(ViolationKind kind) {
     return kind == ViolationKind::small_angle || kind == ViolationKind::large_area ||
            kind == ViolationKind::region_area || kind == ViolationKind::long_edge ||
-           kind == ViolationKind::size_exceeded || kind == ViolationKind::not_conforming;
+           kind == ViolationKind::size_exceeded || kind == ViolationKind::user_test ||
+           kind == ViolationKind::not_conforming;
   }
 
   /// The lengths of the sides, ascending.

@@ -57,6 +57,7 @@ const char* name(Scheme scheme) {
 Result<MeshedWithMesher> mesh_with_mesher(const ValidPslg& domain, const Goal& goal, SubdomainMesher& mesher,
                                           const MesherOptions& how, const Options& options) {
   if (Status in_range = check_goal(goal, options); !in_range) return in_range.error();
+  if (goal.user_test) return Error{ErrorKind::usage, "a test of the user cannot be given to another mesher"};
   return supervised(options, [&](const Options& safe, ProgressMonitor& progress) -> Result<MeshedWithMesher> {
     const Result<MesherAbilities> abilities = checked_abilities(mesher, how);
     if (!abilities) return abilities.error();

@@ -69,7 +69,8 @@ struct MeshedWithMesher {
 };
 
 /// Makes the quality mesh of a domain. Options::interior and Options::decomposition are not used. Errors: those of
-/// mesh(); `usage` if the mesher cannot serve the scheme, or a number of `how` is not positive.
+/// mesh(); `usage` if the mesher cannot serve the scheme, a number of `how` is not positive, or the goal has a test of
+/// the user, which no mesher gets.
 [[nodiscard]] Result<MeshedWithMesher> mesh_with_mesher(const ValidPslg& domain, const Goal& goal,
                                                         SubdomainMesher& mesher, const MesherOptions& how = {},
                                                         const Options& options = {});

@@ -148,14 +148,14 @@ Status check_goal(const Goal& goal, const Options& options) {
 
 Result<Meshed> mesh(const ValidPslg& domain, const Goal& goal, const Options& options) {
   if (Status in_range = check_goal(goal, options); !in_range) return in_range.error();
-  return supervised(options, [&](const Options& safe, ProgressMonitor& progress) {
+  return supervised(options_for(goal, options), [&](const Options& safe, ProgressMonitor& progress) {
     return mesh_valid(domain.pslg(), domain.convex_hull() || goal.convex_hull, &goal, safe, progress);
   });
 }
 
 Result<Meshed> mesh(const Pslg& pslg, const Goal& goal, const Options& options) {
   if (Status in_range = check_goal(goal, options); !in_range) return in_range.error();
-  return supervised(options, [&](const Options& safe, ProgressMonitor& progress) {
+  return supervised(options_for(goal, options), [&](const Options& safe, ProgressMonitor& progress) {
     return validate_and_mesh(pslg, goal.convex_hull, &goal, safe, progress);
   });
 }
@@ -179,7 +179,7 @@ Result<Meshed> refine(const Mesh& coarse, std::span<const double> max_areas, con
   if (is_graded(goal))
     return Error{ErrorKind::usage, "a limit on gradation and edges across narrow places need a domain, not a mesh"};
   if (Status fit = check_caps(coarse, max_areas); !fit) return fit.error();
-  return supervised(options, [&](const Options& safe, ProgressMonitor& progress) {
+  return supervised(options_for(goal, options), [&](const Options& safe, ProgressMonitor& progress) {
     return refine_mesh(coarse, max_areas, goal, safe, progress);
   });
 }

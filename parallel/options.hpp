@@ -59,8 +59,9 @@ enum class Decomposition : std::uint8_t {
 enum class Interior : std::uint8_t {
   refine,  ///< triangles of the refinement, as everywhere
   /// Equilateral triangles just below the bound: the fewest that keep it. Only in mesh(), and where the bounds do not
-  /// depend on the place. If the other triangles cannot keep the bounds beside them, the interior is refined
-  /// (Report::restarts); this is rare for angles up to 30 degrees, and with bounds on areas and Placement::search.
+  /// depend on the place; with Goal::user_test, as `refine`. If the other triangles cannot keep the bounds beside them,
+  /// the interior is refined (Report::restarts); this is rare for angles up to 30 degrees, and with bounds on areas and
+  /// Placement::search.
   fill,
   /// `fill`, if segments may be split and the decomposition is not of the paper, for angles up to 30 degrees; for
   /// larger ones up to 33 degrees only with Placement::search and without bounds on lengths. Else `refine`.

@@ -76,6 +76,8 @@ struct Report {
   /// How often a split point was not inserted, because it would have made an edge too short, or a triangle without
   /// positive area. A point may be tried more than once.
   std::uint64_t refused = 0;
+  /// The triangles for which Goal::user_test still says that they must be refined. `exempt` has the reasons.
+  std::uint64_t fail_user_test = 0;
   std::vector<Exemption> exempt;  ///< the triangles that do not satisfy the goal, in ascending order
   std::vector<Gap> gaps;          ///< the gaps of the domain, as find_gaps() finds them; only after mesh()
   Tiling tiling;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "../core/user_test.hpp"
 #include "insertion.hpp"
 
 namespace pardel::ref {
@@ -151,6 +152,10 @@ bool Criteria::is_bad(const PlainMesh& mesh, const Corners& t) const {
   const double max_area = std::min(goal_.max_area, area_cap_at(centroid));
   if (std::isfinite(max_area) && area(mesh, t) > max_area) return true;
 
+  if (goal_.user_test) {
+    const auto corner = [&](int i) { return rounded(mesh.points[t[i]]); };
+    if (must_be_refined(goal_.user_test, corner(0), corner(1), corner(2))) return true;
+  }
   double max_edge = goal_.max_edge;
   if (goal_.size) max_edge = std::min(max_edge, goal_.size(rounded(centroid)));
   if (!std::isfinite(max_edge)) return false;

@@ -71,6 +71,7 @@ namespace pardel::engine {
   const auto missed = std::ranges::count_if(report.exempt, [](const Exemption& e) { return !justified(e.reason); });
   piece.missed = static_cast<std::uint64_t>(missed);
   ranks.add_up({&piece.missed, 1});
+  if (criteria.has_user_test()) ranks.add_up({&report.fail_user_test, 1});
   piece.seconds = watch.lap();
   piece.report = std::move(report);
   return piece;

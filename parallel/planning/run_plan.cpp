@@ -58,7 +58,7 @@ namespace {
 
 /// True if the interior is to be filled, where there is a bound on size.
 bool is_filled(const Goal& goal, const Options& options) {
-  if (goal.size || is_graded(goal)) return false;
+  if (goal.size || is_graded(goal) || goal.user_test) return false;
   if (options.interior != Interior::automatic) return options.interior == Interior::fill;
   // For larger angles, patches often have to give way, except for a search under bounds on areas.
   constexpr double largest_angle_deg = 30;

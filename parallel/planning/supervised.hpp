@@ -8,6 +8,12 @@
 
 namespace pardel::engine {
 
+/// The options of a run for this goal: one thread if Goal::user_test may have state.
+[[nodiscard]] inline Options options_for(const Goal& goal, Options options) {
+  if (goal.user_test && !goal.user_test_is_free_of_state) options.threads = 1;
+  return options;
+}
+
 /// Returns work(safe, progress). `safe` is a copy of the options in which the functions of the caller are guarded. Work
 /// that has to end early, or runs out of memory, becomes an error.
 template <class Work>

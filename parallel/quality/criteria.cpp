@@ -54,8 +54,9 @@ Criteria::Criteria(const Goal& goal, Placement placement, std::vector<double> re
       twice_region_cap_(std::move(region_caps)),
       size_(local_bound(goal.size, goal.size_slope)),
       area_cap_(local_bound(std::move(area_cap))),
+      user_test_(goal.user_test),
       looks_around_(size_ && size_.steepness().slope < most_slope),
-      has_local_size_(goal.max_edge < INFINITY || size_ || area_cap_ ||
+      has_local_size_(goal.max_edge < INFINITY || size_ || area_cap_ || user_test_ ||
                       (goal.region_caps && any_finite(twice_region_cap_))) {
   if (!goal.region_caps) twice_region_cap_.clear();
   for (double& cap : twice_region_cap_) cap *= 2 * stricter;
@@ -76,6 +77,10 @@ Criteria::Criteria(const Goal& goal, Placement placement, std::vector<double> re
 }
 
 bool Criteria::too_large_locally(const Measure& m, Point a, Point b, Point c, Index region, LocalHints& hints) const {
+  return exceeds_local_bound(m, a, b, c, region, hints) || fails_user_test(a, b, c);
+}
+
+bool Criteria::exceeds_local_bound(const Measure& m, Point a, Point b, Point c, Index region, LocalHints& hints) const {
   if (region < twice_region_cap_.size() && m.twice_area > twice_region_cap_[region]) return true;
   const double longest = m.longest_squared();
   if (longest > squared_max_edge_) return true;
@@ -152,7 +157,22 @@ double Criteria::twice_area_wanted(Point p, Index region, LocalHints& hints) con
 }
 
 double Criteria::triangles_wanted(const Shape& s, Index region, LocalHints& hints) const {
-  return s.twice_area / twice_area_wanted(s.centroid(), region, hints);
+  const double by_bounds = s.twice_area / twice_area_wanted(s.centroid(), region, hints);
+  return user_test_ ? std::max(by_bounds, triangles_by_user_test(s)) : by_bounds;
+}
+
+double Criteria::triangles_by_user_test(const Shape& s) const {
+  constexpr int most_halvings = 12;
+  constexpr double triangles_per_copy = 0.8;  // the test may pass copies of up to four times this area
+  const Point centroid = s.centroid();
+  double scale = 1;
+  for (int halvings = 0; halvings <= most_halvings; ++halvings, scale /= 2) {
+    const auto at = [&](unsigned k) {
+      return Point{std::lerp(centroid.x, s.p[k].x, scale), std::lerp(centroid.y, s.p[k].y, scale)};
+    };
+    if (!fails_user_test(at(0), at(1), at(2))) return halvings == 0 ? 0 : triangles_per_copy / (scale * scale);
+  }
+  return 0;
 }
 
 }  // namespace pardel::engine

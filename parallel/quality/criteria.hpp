@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "../../core/goal.hpp"
+#include "../../core/user_test.hpp"
 #include "../options.hpp"
 #include "../sizing/local_bound.hpp"
 #include "../triangulation/triangle_shape.hpp"
@@ -42,13 +43,23 @@ class Criteria {
   [[nodiscard]] auto too_large(const MeasureOf<T>& m) const {
     return m.twice_area > twice_max_area_;
   }
-  /// True if the goal has a bound on areas or on edges.
+  /// True if the goal has a bound on areas or on edges, or a test of the user.
   [[nodiscard]] bool has_size() const { return has_local_size_ || twice_max_area_ < INFINITY; }
-  /// True if the goal has bounds on edges, or bounds that depend on the place. too_large() does not test these bounds.
+  /// True if the goal has bounds on edges, bounds that depend on the place, or a test of the user. too_large() does not
+  /// test these.
   [[nodiscard]] bool has_local_size() const { return has_local_size_; }
   /// True if the goal has bounds that are functions of the place.
-  [[nodiscard]] bool depends_on_place() const { return static_cast<bool>(size_) || static_cast<bool>(area_cap_); }
-  /// True if the triangle with these corners exceeds one of these local bounds. `region`: the triangle's region, or
+  [[nodiscard]] bool depends_on_place() const {
+    return static_cast<bool>(size_) || static_cast<bool>(area_cap_) || has_user_test();
+  }
+  [[nodiscard]] bool has_user_test() const { return static_cast<bool>(user_test_); }
+  /// True if the goal has a test of the user, and this says that the triangle must be refined. Precondition: a, b, c
+  /// are counter-clockwise.
+  [[nodiscard]] bool fails_user_test(Point a, Point b, Point c) const {
+    return user_test_ && must_be_refined(user_test_, a, b, c);
+  }
+  /// True if the triangle with these corners exceeds one of these local bounds, or else fails the test of the user,
+  /// which is asked last. `region`: the triangle's region, or
   /// no_index. `hints`, here and below: of the calling thread.
   [[nodiscard]] bool too_large_locally(const Measure& m, Point a, Point b, Point c, Index region,
                                        LocalHints& hints) const;
@@ -135,6 +146,11 @@ class Criteria {
     return size_bounds(centroid_of(a, b, c), region, hints);
   }
   [[nodiscard]] SizeBounds size_bounds(Point centroid, Index region, LocalHints& hints) const;
+  [[nodiscard]] bool exceeds_local_bound(const Measure& m, Point a, Point b, Point c, Index region,
+                                         LocalHints& hints) const;
+  /// The estimated number of triangles by which the test of the user replaces this triangle: from the largest copy,
+  /// halved again and again around its centroid, that passes the test. 0 if the triangle passes it, or no copy does.
+  [[nodiscard]] double triangles_by_user_test(const Shape& s) const;
   /// The height, as a multiple of the shortest side, of the triangle that is as large as the bounds allow. Infinity for
   /// a triangle that is much too large.
   [[nodiscard]] double filling_height(const SizeBounds& bounds, double twice_area, double squared_shortest) const;
@@ -153,6 +169,7 @@ class Criteria {
   std::vector<double> twice_region_cap_;
   std::vector<double> length_of_pieces_;  ///< empty: segments are halved
   LocalBound size_, area_cap_;
+  UserTest user_test_;
   bool looks_around_;  ///< the size changes slowly, so the size at a corner mostly decides about a triangle
   bool has_local_size_;
 };

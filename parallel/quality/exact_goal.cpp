@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "../../core/user_test.hpp"
 #include "../arithmetic/expansion.hpp"
 #include "../triangulation/triangle_shape.hpp"
 
@@ -54,7 +55,8 @@ ExactGoal::ExactGoal(const Goal& goal, std::function<double(Point)> area_cap)
       max_edge_(goal.max_edge),
       cosine_(goal.min_angle_deg > 0 ? std::cos(goal.min_angle_deg * std::numbers::pi / 180) : 1),
       size_(goal.size),
-      area_cap_(std::move(area_cap)) {}
+      area_cap_(std::move(area_cap)),
+      user_test_(goal.user_test) {}
 
 bool ExactGoal::keeps_angles(Point a, Point b, Point c) const {
   return cosine_ >= 1 ||
@@ -65,7 +67,9 @@ bool ExactGoal::keeps_sizes(Point a, Point b, Point c) const {
   const Point centroid = centroid_of(a, b, c);
   const double edge = size_ ? std::min(max_edge_, size_(centroid)) : max_edge_;
   const double area = area_cap_ ? std::min(max_area_, area_cap_(centroid)) : max_area_;
-  return !(area_exceeds(a, b, c, area) || is_longer(a, b, edge) || is_longer(b, c, edge) || is_longer(c, a, edge));
+  if (area_exceeds(a, b, c, area) || is_longer(a, b, edge) || is_longer(b, c, edge) || is_longer(c, a, edge))
+    return false;
+  return !user_test_ || !must_be_refined(user_test_, a, b, c);
 }
 
 }  // namespace pardel::engine

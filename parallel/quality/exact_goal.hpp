@@ -17,13 +17,15 @@ class ExactGoal {
 
   /// True if no angle is below the bound. Precondition, here and below: a, b, c are counter-clockwise.
   [[nodiscard]] bool keeps_angles(Point a, Point b, Point c) const;
-  /// True if the area and the edges keep their bounds, except area caps of regions.
+  /// True if the area and the edges keep their bounds, except area caps of regions, and the triangle passes the test of
+  /// the user.
   [[nodiscard]] bool keeps_sizes(Point a, Point b, Point c) const;
 
  private:
   double max_area_, max_edge_;
   double cosine_;  ///< of the smallest angle; 1: no bound
   std::function<double(Point)> size_, area_cap_;
+  UserTest user_test_;
 };
 
 }  // namespace pardel::engine

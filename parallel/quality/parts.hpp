@@ -12,9 +12,9 @@
 namespace pardel::engine {
 
 /// How often triangles have to be divided into four, so that this number of triangles gives enough samples of a size
-/// that depends on the place.
+/// that depends on the place. A test of the user may be slow, and gets fewer samples.
 [[nodiscard]] inline int divisions_for(const Criteria& criteria, std::size_t triangles) {
-  constexpr std::size_t enough = 4096;
+  const std::size_t enough = criteria.has_user_test() ? 64 : 4096;
   int divisions = 0;
   if (!criteria.depends_on_place() || triangles == 0) return divisions;
   while (triangles << 2 * divisions < enough) ++divisions;

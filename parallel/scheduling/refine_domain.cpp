@@ -1,10 +1,23 @@
 #include "refine_domain.hpp"
 
+#include <algorithm>
+#include <span>
 #include <utility>
 
 #include "../refinement/exemptions.hpp"
 
 namespace pardel::engine {
+namespace {
+
+/// The number of these triangles for which the test of the user is still true.
+std::uint64_t failing_user_test(const Triangulation& t, const Criteria& criteria, std::span<const Exemption> exempt) {
+  return static_cast<std::uint64_t>(std::ranges::count_if(exempt, [&](const Exemption& e) {
+    const auto& v = t.slots[e.triangle].v;
+    return criteria.fails_user_test(t.points[v[0]], t.points[v[1]], t.points[v[2]]);
+  }));
+}
+
+}  // namespace
 
 InputData input_data(const Pslg& pslg, const DomainTriangulation& domain, const Threads& threads) {
   InputData input{
@@ -39,6 +52,7 @@ void write_report(DomainTriangulation& domain, const Criteria& criteria, const O
   if (counts.left_alone)
     report.exempt = exemptions(domain.triangulation, domain.segments, criteria, options, counts.budget_reached, threads,
                                reports, undecided);
+  report.fail_user_test = failing_user_test(domain.triangulation, criteria, report.exempt);
 }
 
 void name_apexes(const DomainTriangulation& domain, Report& report) {

@@ -1,5 +1,6 @@
 #include "guarded.hpp"
 
+#include <array>
 #include <exception>
 #include <new>
 #include <string>
@@ -30,9 +31,20 @@ auto guarded_call(const Call& call, const Where& where) {
   }
 }
 
+UserTest guarded_test(UserTest test) {
+  return [test = std::move(test)](const std::array<Point, 3>& corners, double area) {
+    return guarded_call([&] { return test(corners, area); },
+                        [&] {
+                          return "Goal::user_test of the triangle " + shortest(corners[0]) + ", " +
+                                 shortest(corners[1]) + ", " + shortest(corners[2]);
+                        });
+  };
+}
+
 }  // namespace
 
 Goal guarded(Goal goal) {
+  if (goal.user_test) goal.user_test = guarded_test(std::move(goal.user_test));
   if (!goal.size || goal.size.target<OnBackground<PointValues>>() != nullptr ||
       goal.size.target<RasterSize>() != nullptr)
     return goal;

@@ -13,9 +13,10 @@ struct CallbackError {
   Error error;
 };
 
-/// The goal with a guarded size function. The guarded function throws CallbackError if Goal::size throws, or if it
+/// The goal with guarded functions. The guarded size function throws CallbackError if Goal::size throws, or if it
 /// returns a number that is not positive. Infinity is allowed, and means that there is no bound. The functions
-/// that interpolated_size() makes keep their type, and need no guard.
+/// that interpolated_size() makes keep their type, and need no guard. The guarded test throws CallbackError if
+/// Goal::user_test throws.
 [[nodiscard]] Goal guarded(Goal goal);
 
 /// The options with guarded functions. They throw CallbackError if the functions of the caller throw.

@@ -52,6 +52,7 @@ std::string goal_text(const Goal& goal, const std::vector<double>& region_caps, 
   if (goal.size) text += ", sizes by position";
   if (std::isfinite(goal.grading)) text += ", lengths that grow by at most " + to_text(goal.grading);
   if (goal.feature_edges > 0) text += ", " + to_text(goal.feature_edges) + " edges per feature size";
+  if (goal.user_test) text += ", a test of the user";
   text += goal.conforming ? ", Delaunay" : ", constrained Delaunay";
   if (goal.convex_hull) text += ", the convex hull";
   return text;
@@ -142,9 +143,12 @@ Json to_json(const Extreme& extreme) {
 Json to_json(const Goal& goal) {
   // An infinite bound means that there is no bound; JSON has null for it.
   const auto bound = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
-  return {{"min_angle_deg", goal.min_angle_deg}, {"max_area", bound(goal.max_area)}, {"max_edge", bound(goal.max_edge)},
-          {"region_caps", goal.region_caps},     {"sizing", bool(goal.size)},        {"grading", bound(goal.grading)},
-          {"feature_edges", goal.feature_edges}, {"conforming", goal.conforming},    {"convex_hull", goal.convex_hull}};
+  Json json = {
+      {"min_angle_deg", goal.min_angle_deg}, {"max_area", bound(goal.max_area)}, {"max_edge", bound(goal.max_edge)},
+      {"region_caps", goal.region_caps},     {"sizing", bool(goal.size)},        {"grading", bound(goal.grading)},
+      {"feature_edges", goal.feature_edges}, {"conforming", goal.conforming},    {"convex_hull", goal.convex_hull}};
+  if (goal.user_test) json["user_test"] = true;
+  return json;
 }
 
 Json to_json(const Violation& violation) {

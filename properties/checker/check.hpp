@@ -25,6 +25,8 @@ namespace pardel {
 /// are reported, and rules that can then not be checked are skipped. For a Pslg that is not valid (see validate()) the
 /// function is safe, but the certificate has no meaning. goal.size must be pure; it is called from several threads. A
 /// triangle at whose centroid it throws, or returns a number that is not positive, is reported as size_exceeded.
+/// goal.user_test is asked by one thread at a time, unless it is declared to be free of state. A triangle for which it
+/// throws is reported as user_test.
 ///
 /// Predicates on coordinates and comparisons with bounds are exact: CGAL's filtered predicates, or intervals and then
 /// rational numbers. Two bounds are rounded values, with which triangles are then compared exactly:

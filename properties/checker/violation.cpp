@@ -40,6 +40,7 @@ constexpr auto names = enum_names<ViolationKind>({
     {ViolationKind::region_area, "region_area"},
     {ViolationKind::long_edge, "long_edge"},
     {ViolationKind::size_exceeded, "size_exceeded"},
+    {ViolationKind::user_test, "user_test"},
     {ViolationKind::large_circumradius, "large_circumradius"},
     {ViolationKind::wrong_attribute, "wrong_attribute"},
 });

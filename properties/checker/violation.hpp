@@ -46,6 +46,7 @@ enum class ViolationKind : std::uint8_t {
   region_area,  ///< the area of a triangle exceeds the cap of its region
   long_edge,
   size_exceeded,  ///< an edge is longer than the sizing function allows at the triangle's centroid
+  user_test,      ///< Goal::user_test says that the triangle must be refined
   large_circumradius,
   /// An input vertex does not carry its input attributes, or the value of an inserted vertex is not between those that
   /// it interpolates.

@@ -1,5 +1,6 @@
 // Defects of size and shape: triangles that miss a bound by the smallest representable amount, or by a large amount.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -211,6 +212,27 @@ constexpr Defect goal_defects[] = {
          const Point at = edit::centroid(mesh, t);
          const double near = longest_edge(mesh, t) * 0x1p-20, wanted = longest_edge(mesh, t) * 0.875;
          goal.size = [=](Point p) { return std::hypot(p.x - at.x, p.y - at.y) < near ? wanted : 1e300; };
+         return true;
+       });
+     }},
+    {"the test of the user demands smaller triangles everywhere",
+     user_test,
+     {Field::bounds},
+     [](Pslg&, Mesh&, Goal& goal, std::uint64_t seed) {
+       goal.user_test = [](const std::array<Point, 3>&, double area) { return area >= 0; };
+       goal.user_test_is_free_of_state = seed % 2 == 0;
+       return true;
+     }},
+    {"the test of the user demands that one triangle is refined",
+     user_test,
+     {Field::bounds},
+     [](Pslg&, Mesh& mesh, Goal& goal, std::uint64_t seed) {
+       return at_some_triangle(mesh, seed, [&](Index t) {
+         const auto& v = mesh.triangles[t].v;
+         const std::array<Point, 3> wanted{mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]]};
+         goal.user_test = [wanted](const std::array<Point, 3>& corners, double) {
+           return std::ranges::is_permutation(corners, wanted);
+         };
          return true;
        });
      }},

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <array>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -43,6 +44,14 @@ bool run_snippets(const std::filesystem::path& folder) {
   options.progress = [](const pardel::Progress& progress) { return progress.triangles < 1'000'000; };
   const auto limited = pardel::mesh(plate, {.max_edge = 0.05}, options);
   if (!limited) return report(limited.error());
+
+  pardel::Goal tested;
+  tested.user_test = [](const std::array<pardel::Point, 3>& corners, double area) {
+    return area > (corners[0].x < 0.5 ? 1e-4 : 1e-2);
+  };
+  tested.user_test_is_free_of_state = true;  // a pure function, for all threads
+  const auto by_test = pardel::mesh(plate, tested);
+  if (!by_test) return report(by_test.error());
 
   pardel::Goal graded{.grading = 0.2, .feature_edges = 2};
   graded.sources.push_back({{0.5, 0.1}, {0.5, 0.1}, 0.01, 0.01});  // from a to b, with these lengths at a and b

@@ -1,6 +1,7 @@
 // Each way to break the contract is caught and named, and the run ends with a certified mesh.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <memory>
@@ -173,6 +174,15 @@ TEST(OffTheShelf, refuses_a_scheme_that_the_mesher_cannot_serve) {
   made = run(mesher, Scheme::decoupled);
   ASSERT_FALSE(made.ok());
   EXPECT_EQ(made.error().message, "the scheme 'decoupled' needs a mesher that keeps frozen edges");
+}
+
+TEST(OffTheShelf, refuses_a_test_of_the_user) {
+  const auto mesher = own_mesher();
+  const Goal tested{.user_test = [](const std::array<Point, 3>&, double) { return false; }};
+  const Result<MeshedWithMesher> made = mesh_with_mesher(square(), tested, *mesher);
+  ASSERT_FALSE(made.ok());
+  EXPECT_EQ(made.error().kind, ErrorKind::usage);
+  EXPECT_EQ(made.error().message, "a test of the user cannot be given to another mesher");
 }
 
 TEST(OffTheShelf, makes_meshes_as_large_as_mesh_does) {

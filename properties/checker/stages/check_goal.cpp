@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "../../../core/user_test.hpp"
 #include "../arithmetic/exact.hpp"
 #include "../arithmetic/measure.hpp"
 #include "../arithmetic/text.hpp"
@@ -50,6 +51,20 @@ class GoalCheck {
   /// True if check_places() has something to do: bounds that depend on the place of a triangle, and that the scan does
   /// not know.
   [[nodiscard]] bool has_places() const { return has_region_caps() || has_sizes(); }
+
+  void check_user_test(Index t, Findings& found) const {
+    const std::array<Point, 3> p = corners(t);
+    if (!is_oriented(p)) return;
+    const std::optional<bool> fails = fails_user_test(p);
+    if (fails == false || !found.admit(ViolationKind::user_test)) return;
+    found.keep({ViolationKind::user_test,
+                ids(t),
+                {p.begin(), p.end()},
+                "triangle " + triangle_number(names().triangle(t)) + " has area " +
+                    exactly::area_text(p[0], p[1], p[2]) +
+                    (fails ? ", and must be refined, as the test of the user says"
+                           : ", and the test of the user threw an exception")});
+  }
 
   void check_places(Index t, Findings& found) const {
     const std::array<Point, 3> p = corners(t);
@@ -166,6 +181,15 @@ class GoalCheck {
     }
   }
 
+  /// Nothing if the test throws.
+  [[nodiscard]] std::optional<bool> fails_user_test(const std::array<Point, 3>& p) const {
+    try {
+      return must_be_refined(subject_.goal.user_test, p[0], p[1], p[2]);
+    } catch (...) {
+      return std::nullopt;
+    }
+  }
+
   void check_circumradius(Index t, const std::array<Point, 3>& p, Findings& found) const {
     const double bound = subject_.options.max_circumradius;
     if (!(bound > 0) || !std::isfinite(bound) || !exactly::circumradius_exceeds(p[0], p[1], p[2], bound)) return;
@@ -215,9 +239,18 @@ void check_goal(const Subject& subject, const Domain& domain, const Adjacency& a
     goal.check_open(open[i], mine, parts[static_cast<std::size_t>(omp_get_thread_num())]);
   });
   for (const auto& part : parts) justified.insert(justified.end(), part.begin(), part.end());
-  if (!goal.has_places()) return;
-  check_each(adjacency.triangles().size(), found,
-             [&](std::size_t t, Findings& mine) { goal.check_places(static_cast<Index>(t), mine); });
+  const std::size_t triangles = adjacency.triangles().size();
+  if (goal.has_places())
+    check_each(triangles, found,
+               [&](std::size_t t, Findings& mine) { goal.check_places(static_cast<Index>(t), mine); });
+  if (!subject.goal.user_test) return;
+  if (subject.goal.user_test_is_free_of_state)
+    return check_each(triangles, found,
+                      [&](std::size_t t, Findings& mine) { goal.check_user_test(static_cast<Index>(t), mine); });
+  for (std::size_t t = 0; t < triangles; ++t) {
+    if (found.stop() != nullptr) found.stop()->ask();
+    goal.check_user_test(static_cast<Index>(t), found);
+  }
 }
 
 }  // namespace pardel::checker

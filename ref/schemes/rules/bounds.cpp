@@ -25,6 +25,7 @@ std::optional<Error> unsupported(const Pslg& pslg, const Goal& goal) {
   if (goal.convex_hull && !pslg.segments.empty()) return usage("The schemes mesh outlines, or hulls without segments.");
   if (std::isfinite(goal.grading) || goal.feature_edges > 0 || !goal.sources.empty())
     return usage("The schemes know no limits on gradation and no bounds on features.");
+  if (goal.user_test) return usage("The schemes know no tests of the user.");
   return std::nullopt;
 }
 

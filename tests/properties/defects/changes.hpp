@@ -65,8 +65,8 @@ inline std::size_t differing_bounds(const Goal& a, const Goal& b) {
   return std::size_t{a.min_angle_deg != b.min_angle_deg} + std::size_t{a.max_area != b.max_area} +
          std::size_t{a.max_edge != b.max_edge} + std::size_t{a.grading != b.grading || a.sources != b.sources} +
          std::size_t{a.feature_edges != b.feature_edges} + std::size_t{a.region_caps != b.region_caps} +
-         std::size_t{bool(a.size) != bool(b.size)} + std::size_t{a.conforming != b.conforming} +
-         std::size_t{a.convex_hull != b.convex_hull};
+         std::size_t{bool(a.size) != bool(b.size)} + std::size_t{bool(a.user_test) != bool(b.user_test)} +
+         std::size_t{a.conforming != b.conforming} + std::size_t{a.convex_hull != b.convex_hull};
 }
 
 /// The number of entries that differ, for each field with such entries.
