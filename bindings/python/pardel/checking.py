@@ -9,7 +9,7 @@ from . import _pardel
 from ._mesh import mesh_of
 from .domain import DomainLike, domain_of
 from .errors import Coordinates
-from .goal import Size, goal_of, has_caps, number, sizes_of, whole
+from .goal import Size, Test, goal_of, has_caps, number, sizes_of, test_of, whole
 from .sources import SourcesLike, sources_of
 
 
@@ -78,8 +78,9 @@ class Certificate:
 
 def check(domain: DomainLike, mesh: Any, *, min_angle: float = 20.7, max_area: Optional[float] = None,
           max_edge: Optional[float] = None, size: Optional[Size] = None, sources: Optional[SourcesLike] = None,
-          grading: Optional[float] = None, feature_size: Optional[float] = None, conforming: bool = False,
-          convex_hull: bool = False, max_circumradius: float = 0, max_violations: int = 1000) -> Certificate:
+          refine_if: Optional[Test] = None, grading: Optional[float] = None, feature_size: Optional[float] = None,
+          conforming: bool = False, convex_hull: bool = False, max_circumradius: float = 0,
+          max_violations: int = 1000) -> Certificate:
     """Proves in exact arithmetic that a mesh is right for a domain and keeps the bounds, or lists what is wrong.
 
     domain: a `Domain`, the path of a file, geometries, or an array of points whose convex hull is the domain.
@@ -89,6 +90,7 @@ def check(domain: DomainLike, mesh: Any, *, min_angle: float = 20.7, max_area: O
     domain's regions are bounds, too. max_circumradius: in the unit of the coordinates; 0: none.
     size: as for `mesh`. A function of arrays is called with up to 65,536 places at once; a function of x and y once per
         triangle.
+    refine_if: as for `mesh`. Triangles for which it returns True are violations of the kind ``user_test``.
 
     On all threads; Ctrl-C ends it. Raises `UsageError`, `FileError`, and `InvalidInput` if the domain is not valid.
 
@@ -107,7 +109,7 @@ def check(domain: DomainLike, mesh: Any, *, min_angle: float = 20.7, max_area: O
     if places is not None:
         sizes.set_places(places)
     found = _pardel.check(of_domain._core, of_mesh._core, goal, sizes, number("max_circumradius", max_circumradius),
-                          whole("max_violations", max_violations))
+                          whole("max_violations", max_violations), test_of(refine_if))
     found["violations"] = tuple(Violation(*row) for row in found["violations"])
     found["extremes"] = {name: Extreme(*row) for name, row in found["extremes"].items()}
     return Certificate(**found)

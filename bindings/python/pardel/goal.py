@@ -20,6 +20,9 @@ from .raster import Raster
 # values of a raster with its extent or transform.
 Size = Union[float, npt.ArrayLike, Tuple[Any, npt.ArrayLike], Callable[..., Any], Raster, Path]
 
+# A test of triangles: a function of the corners, shape (3, 2), and the area; True: the triangle must be refined.
+Test = Callable[[npt.NDArray[np.float64], float], Any]
+
 
 def number(name: str, value: Any) -> float:
     """A real number, with a message that names the argument."""
@@ -98,6 +101,12 @@ def _raster_of(size: Any) -> Optional[Raster]:
         where = tuple(size[1])
         return Raster(size[0], where) if len(where) == 4 else Raster(size[0], transform=where)
     return None
+
+
+def test_of(refine_if: Optional[Test]) -> Optional[Test]:
+    if refine_if is not None and not callable(refine_if):
+        raise UsageError(f"refine_if is {refine_if!r}; a function of the corners of a triangle and its area is needed")
+    return refine_if
 
 
 def _lengths(value: Any, count: int) -> arrays.Numbers:

@@ -10,7 +10,7 @@ import numpy.typing as npt
 from . import _pardel, arrays
 from ._mesh import Mesh, mesh_of
 from .domain import DomainLike, domain_of
-from .goal import Size, goal_of, has_caps, number, sizes_of, whole
+from .goal import Size, Test, goal_of, has_caps, number, sizes_of, test_of, whole
 from .progress import Progress, reporting
 from .sources import SourcesLike, sources_of
 
@@ -32,12 +32,12 @@ def mesh(points: DomainLike, segments: Optional[npt.ArrayLike] = None, *, holes:
          regions: Optional[npt.ArrayLike] = None, markers: Optional[npt.ArrayLike] = None,
          point_markers: Optional[npt.ArrayLike] = None, attributes: Optional[npt.ArrayLike] = None,
          min_angle: float = 20.7, max_area: Optional[float] = None, max_edge: Optional[float] = None,
-         size: Optional[Size] = None, sources: Optional[SourcesLike] = None, grading: Optional[float] = None,
-         feature_size: Optional[float] = None, conforming: bool = False, convex_hull: bool = False, threads: int = 0,
-         max_vertices: int = 0,
-         max_memory: int = 0, min_edge: float = 0, placement: str = "off_centre", interior: str = "refine",
-         split_boundary: bool = True, split_segments: bool = True, repair: bool = False,
-         snap: Optional[float] = None, progress: Progress = None) -> Mesh:
+         size: Optional[Size] = None, sources: Optional[SourcesLike] = None, refine_if: Optional[Test] = None,
+         grading: Optional[float] = None, feature_size: Optional[float] = None, conforming: bool = False,
+         convex_hull: bool = False, threads: int = 0, max_vertices: int = 0, max_memory: int = 0, min_edge: float = 0,
+         placement: str = "off_centre", interior: str = "refine", split_boundary: bool = True,
+         split_segments: bool = True, repair: bool = False, snap: Optional[float] = None,
+         progress: Progress = None) -> Mesh:
     """Makes a quality mesh: a constrained Delaunay triangulation, refined until every triangle keeps the bounds.
 
     The domain
@@ -59,6 +59,11 @@ def mesh(points: DomainLike, segments: Optional[npt.ArrayLike] = None, *, holes:
         A function must be pure. The mesher asks for one place at a time (k is 1), about three times per triangle, and
         works on one thread, because Python does. A simple function of x and y costs about 0.2 microseconds each time,
         one of arrays 3 or more. Lengths at points, also of a coarse mesh, cost less and are for all threads.
+      refine_if: a function of the corners of a triangle, shape (3, 2), and its area. Triangles for which it returns
+        True are refined. It must be pure, and is asked about each triangle that the mesher makes, and about reduced
+        copies of some. The corners are counter-clockwise, from that with the least x. If it is True for every triangle,
+        however small, only min_edge or max_vertices ends the run; ``report.fail_test`` counts the triangles that are
+        left.
       grading: lengths grow by at most this number per unit of distance, from segments, from lengths in arrays, and from
         `sources`: `Sources`, the path of their file, geometries with a length, rows of x, y and length, or a dict of
         lengths by marker.
@@ -66,7 +71,7 @@ def mesh(points: DomainLike, segments: Optional[npt.ArrayLike] = None, *, holes:
       conforming: every edge is Delaunay, those on segments, too. convex_hull: the domain is the convex hull.
 
     The run
-      threads: 0: one per core; always one if size is a function. The mesh does not depend on it.
+      threads: 0: one per core; always one if size or refine_if is a function. The mesh does not depend on it.
       max_vertices: no point is inserted beyond this number; 0: no limit. max_memory: bytes; 0: no limit.
       min_edge: no edge becomes shorter, in the unit. placement: ``off_centre``, ``circumcentre``, ``search``,
       ``automatic``. interior: ``refine``, ``fill``, ``automatic``. split_boundary, split_segments: False: segments on
@@ -99,20 +104,21 @@ def mesh(points: DomainLike, segments: Optional[npt.ArrayLike] = None, *, holes:
         sizes.set_places(places)
     with reporting(progress) as report:
         made = _pardel.mesh(domain._core, goal, options, sizes,
-                            repair or snap is not None, distance, report)
+                            repair or snap is not None, distance, report, test_of(refine_if))
     return Mesh._of(*made)
 
 
 def refine(mesh: Any, *, max_areas: Optional[npt.ArrayLike] = None, min_angle: float = 20.7,
            max_area: Optional[float] = None, max_edge: Optional[float] = None, size: Optional[Size] = None,
-           conforming: bool = False, threads: int = 0, max_vertices: int = 0, max_memory: int = 0,
-           min_edge: float = 0, placement: str = "off_centre", split_boundary: bool = True,
+           refine_if: Optional[Test] = None, conforming: bool = False, threads: int = 0, max_vertices: int = 0,
+           max_memory: int = 0, min_edge: float = 0, placement: str = "off_centre", split_boundary: bool = True,
            split_segments: bool = True, progress: Progress = None) -> Mesh:
     """Refines a mesh of any program. Its vertices, its boundary and its constrained edges stay.
 
     mesh: a `Mesh`; (points, triangles); anything with ``points`` and ``cells``; or the path of a file.
     max_areas: shape (m,): the largest area in what each triangle covers, in the square of the unit; inf: no bound.
-    size: as for `mesh`; an array has one length per point of this mesh. The other arguments are those of `mesh`.
+    size, refine_if: as for `mesh`; an array has one length per point of this mesh. The other arguments are those of
+    `mesh`.
     Raises `UsageError`; `InvalidInput` if a triangle is not counter-clockwise, or the mesh is not a manifold.
 
     >>> coarse = ([(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 1, 2), (0, 2, 3)])
@@ -129,7 +135,8 @@ def refine(mesh: Any, *, max_areas: Optional[npt.ArrayLike] = None, min_angle: f
     caps = np.empty(0) if max_areas is None else arrays.one_per("max_areas", max_areas, len(coarse.triangles),
                                                                 "triangle")
     with reporting(progress) as report:
-        made = _pardel.refine(coarse._core, caps, goal, options, sizes_of(size, len(coarse.points), coarse), report)
+        made = _pardel.refine(coarse._core, caps, goal, options, sizes_of(size, len(coarse.points), coarse), report,
+                              test_of(refine_if))
     return Mesh._of(*made)
 
 

@@ -84,8 +84,9 @@ class Report:
     goal_met: all bounds hold, except where a small angle of the domain makes this impossible.
     inserted, segment_splits: the numbers of new points inside faces and on segments. refused: how often a point was
     not inserted because an edge would have become too short. laid: equilateral triangles of ``interior="fill"``;
-    restarts: how often this filling was given up. exempt: the triangles that miss a bound. gaps: the narrow places.
-    repairs: what ``repair=True`` changed, one sentence each. The times are in seconds.
+    restarts: how often this filling was given up. fail_test: the triangles for which ``refine_if`` is still True.
+    exempt: the triangles that miss a bound. gaps: the narrow places. repairs: what ``repair=True`` changed, one
+    sentence each. The times are in seconds.
     """
 
     goal_met: bool
@@ -94,6 +95,7 @@ class Report:
     refused: int
     laid: int
     restarts: int
+    fail_test: int
     exempt: Exemptions
     gaps: Tuple[Gap, ...]
     repairs: Tuple[str, ...]

@@ -10,6 +10,7 @@
 #include "errors.hpp"
 #include "goal.hpp"
 #include "held_mesh.hpp"
+#include "test_function.hpp"
 #include "valid_domain.hpp"
 
 namespace py = pybind11;
@@ -74,14 +75,15 @@ py::dict to_dict(const Certificate& certificate) {
 }
 
 py::dict check_mesh(const Pslg& domain, const HeldMesh& held, const Goal& goal, const Sizes& sizes,
-                    double max_circumradius, std::size_t max_violations) {
+                    double max_circumradius, std::size_t max_violations, py::object refine_if) {
   Call call;
   const std::unique_ptr<SizeFunction> function = function_of(sizes, call, false);
+  const std::unique_ptr<TestFunction> test = test_of(std::move(refine_if), call, false);
   const Certificate certificate = call.run([&] {
     // The domain with the sizes at its points has to be triangulated. One that is not valid says nothing about a mesh.
     const ValidPslg valid = valid_domain(domain, {.convex_hull = goal.convex_hull, .go_on = call.question()});
     if (function && has_indices_in_range(held.any())) function->evaluate_in_triangles(held.any());
-    const Goal complete = with_sizes(goal, sizes, function.get(), &valid, {});
+    const Goal complete = with_test(with_sizes(goal, sizes, function.get(), &valid, {}), test.get());
     const bool is_own = held.domain() != nullptr && !held.any().origin.empty() && *held.domain() == domain;
     const CheckOptions options{.max_violations = max_violations,
                                .max_circumradius = max_circumradius,
@@ -100,7 +102,7 @@ py::dict check_mesh(const Pslg& domain, const HeldMesh& held, const Goal& goal, 
 
 void bind_checker(py::module_& module) {
   module.def("check", &check_mesh, py::arg("domain"), py::arg("mesh"), py::arg("goal"), py::arg("sizes"),
-             py::arg("max_circumradius"), py::arg("max_violations"));
+             py::arg("max_circumradius"), py::arg("max_violations"), py::arg("refine_if") = py::none());
 }
 
 }  // namespace pardel::python

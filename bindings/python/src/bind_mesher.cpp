@@ -15,6 +15,7 @@
 #include "goal.hpp"
 #include "held_mesh.hpp"
 #include "repaired.hpp"
+#include "test_function.hpp"
 #include "valid_domain.hpp"
 
 namespace py = pybind11;
@@ -59,6 +60,7 @@ py::dict to_dict(const Report& report, const std::vector<std::string>& repairs, 
   dict["refused"] = report.refused;
   dict["laid"] = report.laid;
   dict["restarts"] = report.restarts;
+  dict["fail_test"] = report.fail_user_test;
   dict["exempt"] = to_arrays(report.exempt);
   dict["gaps"] = to_list(report.gaps);
   dict["repairs"] = py::tuple(py::cast(repairs));
@@ -92,20 +94,26 @@ Input valid_input(const Pslg& domain, const Goal& goal, std::vector<double>& len
   return {valid_domain(domain, {.convex_hull = goal.convex_hull, .threads = threads, .go_on = call.question()})};
 }
 
-/// Lets the call stop the run. Returns the size function of the caller if there is one; then the run has one thread:
-/// the others would only wait for the interpreter lock, and the mesh is the same.
-std::unique_ptr<SizeFunction> prepared(Options& options, const Sizes& sizes, Call& call) {
+/// The functions of the caller, null where there are none.
+struct Functions {
+  std::unique_ptr<SizeFunction> size;
+  std::unique_ptr<TestFunction> test;
+};
+
+/// Lets the call stop the run. If the caller has functions, the run has one thread: the others would only wait for the
+/// interpreter lock, and the mesh is the same.
+Functions prepared(Options& options, const Sizes& sizes, py::object refine_if, Call& call) {
   options.progress = [&call](const Progress& now) { return call.go_on(now); };
-  std::unique_ptr<SizeFunction> function = function_of(sizes, call, true);
-  if (function) options.threads = 1;
-  return function;
+  Functions functions{function_of(sizes, call, true), test_of(std::move(refine_if), call, true)};
+  if (functions.size || functions.test) options.threads = 1;
+  return functions;
 }
 
 /// snap: a distance for the repair, or None for its default.
 py::tuple mesh_domain(const std::shared_ptr<Pslg>& domain, Goal goal, Options options, Sizes sizes, bool is_repaired,
-                      std::optional<double> snap, py::object progress) {
+                      std::optional<double> snap, py::object progress, py::object refine_if) {
   Call call(std::move(progress));
-  const std::unique_ptr<SizeFunction> function = prepared(options, sizes, call);
+  const Functions functions = prepared(options, sizes, std::move(refine_if), call);
   std::vector<double> none;
   std::vector<double>& at_points = sizes.mesh ? none : sizes.lengths;
   std::optional<RepairOptions> how;
@@ -117,7 +125,8 @@ py::tuple mesh_domain(const std::shared_ptr<Pslg>& domain, Goal goal, Options op
     Input input = valid_input(*domain, goal, at_points, how, options.threads, call);
     const std::chrono::duration<double> validation = Clock::now() - start;
     goal.convex_hull = input.domain.convex_hull();
-    const Goal complete = with_sizes(goal, sizes, function.get(), &input.domain, options);
+    const Goal complete =
+        with_test(with_sizes(goal, sizes, functions.size.get(), &input.domain, options), functions.test.get());
     Meshed meshed = value_of(mesh(input.domain, complete, options));
     auto pslg = std::make_shared<const Pslg>(std::move(input.domain).pslg());
     return Made{std::move(meshed), std::move(pslg), std::move(input.repairs), validation.count()};
@@ -127,13 +136,14 @@ py::tuple mesh_domain(const std::shared_ptr<Pslg>& domain, Goal goal, Options op
 }
 
 py::tuple refine_mesh(const std::shared_ptr<HeldMesh>& coarse, const Numbers& max_areas, Goal goal, Options options,
-                      const Sizes& sizes, py::object progress) {
+                      const Sizes& sizes, py::object progress, py::object refine_if) {
   Call call(std::move(progress));
-  const std::unique_ptr<SizeFunction> function = prepared(options, sizes, call);
+  const Functions functions = prepared(options, sizes, std::move(refine_if), call);
   const Mesh& mesh = coarse->usable();
   const std::span<const double> caps(max_areas.data(), static_cast<std::size_t>(max_areas.size()));
   Meshed made = call.run([&] {
-    const Goal complete = with_sizes(goal, sizes, function.get(), nullptr, options);
+    const Goal complete =
+        with_test(with_sizes(goal, sizes, functions.size.get(), nullptr, options), functions.test.get());
     Meshed refined = value_of(refine(mesh, caps, complete, options));
     // They count the segments of the coarse mesh, not those of the domain.
     refined.mesh.origin.clear();
@@ -166,9 +176,10 @@ py::dict repair_domain(const Pslg& domain, std::optional<double> snap, bool conv
 
 void bind_mesher(py::module_& module) {
   module.def("mesh", &mesh_domain, py::arg("domain"), py::arg("goal"), py::arg("options"), py::arg("sizes"),
-             py::arg("is_repaired"), py::arg("snap").none(true), py::arg("progress"));
+             py::arg("is_repaired"), py::arg("snap").none(true), py::arg("progress"),
+             py::arg("refine_if") = py::none());
   module.def("refine", &refine_mesh, py::arg("coarse"), py::arg("max_areas"), py::arg("goal"), py::arg("options"),
-             py::arg("sizes"), py::arg("progress"));
+             py::arg("sizes"), py::arg("progress"), py::arg("refine_if") = py::none());
   module.def("repair", &repair_domain, py::arg("domain"), py::arg("snap").none(true), py::arg("convex_hull"));
 }
 

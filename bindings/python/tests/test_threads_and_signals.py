@@ -144,6 +144,8 @@ WORK = {
     "mesh": f"pardel.mesh({SQUARE}, max_area=1e-8)",
     "mesh with a function of numbers": f"pardel.mesh({SQUARE}, size=lambda x, y: 1e-4)",
     "mesh with a function of arrays": f"pardel.mesh({SQUARE}, size=lambda places: 1e-4)",
+    "mesh with a test": f"pardel.mesh({SQUARE}, refine_if=lambda corners, area: area > 1e-8)",
+    "check with a test": "pardel.check(points, large, min_angle=0, refine_if=lambda corners, area: False)",
     "refine": f"pardel.refine(pardel.mesh({SQUARE}), max_area=1e-8)",
     "delaunay": "pardel.delaunay(points)",
     "check": "pardel.check(points, large, min_angle=0)",
@@ -169,7 +171,7 @@ print("works", flush=True)
 
 @pytest.mark.parametrize("name", WORK)
 def test_ctrl_c_ends_the_run_at_once(name):
-    many = 1_500_000 if name in ("delaunay", "check") else 0
+    many = 1_500_000 if name in ("delaunay", "check", "check with a test") else 0
     script = SCRIPT.format(work=WORK[name], many=many)
     process = subprocess.Popen([sys.executable, "-c", script, name], stdout=subprocess.PIPE, text=True)
     assert process.stdout.readline() == "begins\n"
