@@ -118,8 +118,9 @@ def _domain(given: Given, switches: Switches) -> Domain:
 def _for_angle(run: Callable[..., Mesh], switches: Switches, points: int) -> Mesh:
     """Above the sure angle: with at most six times as many points, and 1000 more, as the sure angle needs."""
     bounds: Dict[str, Any] = dict(
-        min_angle=switches.min_angle, max_area=switches.max_area, conforming=switches.conforming,
-        split_boundary=switches.splits == 0, split_segments=switches.splits < 2, placement="automatic")
+        min_angle=switches.min_angle, max_area=switches.max_area, refine_if=switches.refine_if,
+        conforming=switches.conforming, split_boundary=switches.splits == 0, split_segments=switches.splits < 2,
+        placement="automatic")
     if switches.max_new_points is not None:
         bounds["max_vertices"] = min(points + switches.max_new_points, 2**31 - 1)
     elif switches.min_angle > _SURE_ANGLE:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Dict, Optional, Tuple
 
 from ...errors import UsageError
+from ...goal import Test
 
 
 @dataclass
@@ -34,6 +35,7 @@ class Switches:
     splits: int = 0                    # Y: 1, YY: 2
     max_new_points: Optional[int] = None  # S; 0 without a number
     check: bool = False                # C
+    refine_if: Optional[Test] = None   # u, which has no letter here: a function
 
 
 _LARGEST_ANGLE = 45
@@ -47,7 +49,7 @@ _FLAGS: Dict[str, Tuple[str, ...]] = {
 # z, Q: the wrapper always sets them. v: `voronoi` returns the diagram. V: nothing is printed. g, I: about files.
 # i, F, l, s, X: they choose among Triangle's own algorithms; predicates are exact here.
 _WITHOUT_EFFECT = "zQvVgIiFlsX"
-_REFUSED = {"u": "a test of triangles that Triangle has to be compiled with; pardel.mesh(size=function) has one",
+_REFUSED = {"u": "a test of triangles that Triangle has to be compiled with; pardel.mesh(refine_if=function) has one",
             "w": "a weighted Delaunay triangulation", "W": "a weighted Delaunay triangulation",
             "h": "the help of the program"}
 # As in Triangle, digits and points; and an exponent, which Python writes for small numbers.
