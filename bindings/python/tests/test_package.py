@@ -18,6 +18,7 @@ import pardel
 SOURCE = Path(os.environ.get("PARDEL_SOURCE", Path(__file__).resolve().parents[3]))
 MODULES = ("pardel", "pardel._mesh", "pardel.checking", "pardel.domain", "pardel.files", "pardel.generating",
            "pardel.geometry", "pardel.meshing", "pardel.pictures", "pardel.polygons", "pardel.raster", "pardel.sources",
+           "pardel.testing.certifying", "pardel.testing.families", "pardel.testing.meshes",
            "pardel.validation")
 
 
@@ -123,6 +124,7 @@ def check_installed(python, folder):
     assert (installed / "py.typed").exists() and (installed / "_pardel.pyi").exists()
     run(python, "-c", "import pardel.compat.triangle as tr; tr.triangulate(tr.get_data('A'), 'pq')", cwd=folder,
         env=environment)
+    assert (installed / "testing/certifying.py").exists()
     run(python, "-m", "pip", "uninstall", "--yes", "pardel", cwd=folder, env=environment)
     assert not (installed / "__init__.py").exists()
 
