@@ -12,6 +12,7 @@
 #include <pardel/core/result.hpp>
 #include <pardel/parallel/gaps.hpp>
 #include <pardel/parallel/least_size.hpp>
+#include <pardel/parallel/locator.hpp>
 #include <pardel/parallel/mesher.hpp>
 #include <pardel/parallel/options.hpp>
 #include <pardel/parallel/problem.hpp>

@@ -84,6 +84,7 @@ const std::vector<Room>& rooms() {
       {"parallel", "parallel/decomposition", 2, "pardel::engine"},
       {"parallel", "parallel/segments", 2, "pardel::engine"},
       {"parallel", "parallel/domain", 3, "pardel::engine"},
+      {"parallel", "parallel/location", 3, "pardel::engine"},
       {"parallel", "parallel/sizing", 3, "pardel::engine"},
       {"parallel", "parallel/triangulation", 3, "pardel::engine"},
       {"parallel", "parallel/construction", 4, "pardel::engine"},
