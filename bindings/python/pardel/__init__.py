@@ -22,13 +22,14 @@ from .pictures import draw
 from .polygons import polygon
 from .raster import Raster
 from .report import Exemption, Exemptions, Gap, Report
+from .simplices import Simplices
 from .sources import Sources
 from .validation import Repaired, repair, validate
 
 __all__ = [
     "Cancelled", "Certificate", "Domain", "Error", "Exemption", "Exemptions", "Extreme", "FileError", "Gap",
     "InternalError", "InvalidInput", "Mesh", "Problem", "Quality", "Raster", "Repaired", "Report", "ResourceError",
-    "Sources", "UsageError", "Violation", "Voronoi", "__version__", "check", "convex_hull", "delaunay", "draw",
-    "generate", "generators", "geometry", "mesh", "polygon", "radial_sizes", "read", "refine", "repair", "validate",
-    "voronoi", "write",
+    "Simplices", "Sources", "UsageError", "Violation", "Voronoi", "__version__", "check", "convex_hull", "delaunay",
+    "draw", "generate", "generators", "geometry", "mesh", "polygon", "radial_sizes", "read", "refine", "repair",
+    "validate", "voronoi", "write",
 ]

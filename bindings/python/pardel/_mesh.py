@@ -4,18 +4,19 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass
-from typing import Any, Mapping, Optional, Tuple
+from typing import Any, Dict, Mapping, Optional, Tuple
 
 import numpy as np
 import numpy.typing as npt
 
-from . import _pardel, arrays
+from . import _pardel, arrays, exports, locating, pickling
 from .domain import Domain
 from .errors import UsageError
 from .notebook import svg_of_mesh
-from .paths import read_as
+from .paths import Path, read_as
 from .plotting import By, plot_mesh
 from .report import Report, report_of
+from .simplices import Simplices
 
 Indices = npt.NDArray[np.int32]
 Numbers = npt.NDArray[np.float64]
@@ -49,16 +50,7 @@ class Mesh:
     """
 
     def __init__(self, points: npt.ArrayLike, triangles: npt.ArrayLike) -> None:
-        corners = np.asarray(triangles)
-        if corners.size == 0:
-            corners = np.empty((0, 3), dtype=np.int64)
-        if corners.ndim != 2 or corners.shape[1] != 3:
-            raise UsageError(f"triangles has the shape {corners.shape}; (m, 3) is needed")
-        if corners.dtype.kind not in "iu":
-            raise UsageError(f"triangles has the dtype {corners.dtype}; integers are needed")
-        if corners.dtype == np.uint64:
-            corners = np.minimum(corners, np.uint64(2**32)).astype(np.int64)
-        self._core = _pardel.HeldMesh(arrays.numbers("points", points, 2), corners)
+        self._core = _pardel.HeldMesh(arrays.numbers("points", points, 2), arrays.corners("triangles", triangles))
         self._report: Optional[Mapping[str, Any]] = None
 
     @classmethod
@@ -168,8 +160,73 @@ class Mesh:
     def _repr_svg_(self) -> Optional[str]:
         return svg_of_mesh(self)
 
+    def locate(self, points: npt.ArrayLike, *, threads: int = 0) -> Indices:
+        """The triangle in which each point lies: shape (n,), int32; -1 outside the mesh. Exact: there is no tolerance.
+
+        points: shape (n, 2). A point on an edge or at a vertex gets the triangle with the smallest index among those that
+        contain it; one with a coordinate that is not finite gets -1. The mesh may be of any kind, with holes and cracks.
+        The first call prepares the search, in time proportional to the number of triangles; later ones only search.
+        threads: 0: all. Raises `UsageError`; `InvalidInput` for a clockwise triangle, or one with corners that are not
+        finite.
+
+        >>> square = Mesh([(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 1, 2), (0, 2, 3)])
+        >>> square.locate([(0.9, 0.5), (0.1, 0.5), (0.5, 0.5), (2, 2)]).tolist()
+        [0, 1, 0, -1]
+        """
+        return locating.locate(self._core, points, threads)
+
+    def interpolate(self, values: npt.ArrayLike, points: npt.ArrayLike, outside: float = np.nan, *,
+                    threads: int = 0) -> Numbers:
+        """Interpolates values at the points of the mesh, linearly in each triangle.
+
+        values: shape (n,) or (n, k), of any real dtype: one row per point of the mesh. points: shape (m, 2).
+        outside: the result where `locate` finds no triangle. threads: 0: all.
+        Returns float64 of shape (m,) or (m, k). At a vertex the result is its value exactly; on an edge it depends on the
+        values at both ends only; everywhere it lies between those at the corners. A linear function is reproduced up to
+        rounding, a constant exactly. Raises the exceptions of `locate`.
+
+        >>> square = Mesh([(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 1, 2), (0, 2, 3)])
+        >>> square.interpolate([0, 1, 2, 1], [(0.25, 0.5), (1, 1), (2, 2)], outside=-1).tolist()
+        [0.75, 2.0, -1.0]
+        """
+        return locating.interpolate(self._core, values, points, outside, threads)
+
+    def save(self, path: Path, *, as_text: bool = False, second_order: bool = False) -> None:
+        """Writes a file, as `write` does."""
+        _pardel.write_mesh(os.fspath(path), self._core, as_text, second_order)
+
+    def to_meshio(self) -> Any:
+        """A ``meshio.Mesh``: triangles, then `segments` as lines.
+
+        Its point data are ``marker``, ``attributes`` and fields of the file; its cell data ``marker`` (0 in triangles),
+        ``region`` (the attribute; 0 where there is none) and fields. Raises `UsageError` without the package meshio.
+        """
+        return exports.to_meshio(self)
+
+    def to_matplotlib(self) -> Any:
+        """A ``matplotlib.tri.Triangulation``. Raises `UsageError` without the package matplotlib."""
+        return exports.to_matplotlib(self)
+
+    def to_scipy(self) -> Simplices:
+        """The mesh with the attributes and `find_simplex` of ``scipy.spatial.Delaunay``. Needs no SciPy."""
+        return Simplices(self)
+
+    def adjacency(self, *, lengths: bool = False) -> Any:
+        """A ``scipy.sparse.csr_array`` of shape (n, n), symmetric: the points that edges join.
+
+        lengths: the entries are the lengths of the edges (float64), as ``scipy.sparse.csgraph`` takes them; else 1.
+        Raises `UsageError` without SciPy.
+        """
+        return exports.adjacency(self, bool(lengths))
+
+    def __copy__(self) -> Mesh:
+        return pickling.copied(self)  # type: ignore[no-any-return]
+
+    def __deepcopy__(self, memo: Dict[int, Any]) -> Mesh:
+        return pickling.deeply_copied(self, memo)  # type: ignore[no-any-return]
+
     def __reduce__(self) -> Tuple[Any, ...]:
-        raise TypeError("a Mesh cannot be pickled; write it to a file, or pickle its arrays")
+        return pickling.reduced(self)
 
     def __repr__(self) -> str:
         return f"Mesh({len(self.points)} points, {len(self.triangles)} triangles)"

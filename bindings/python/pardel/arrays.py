@@ -79,6 +79,20 @@ def indices(name: str, value: Any, columns: int, points: int) -> Integers:
     return np.ascontiguousarray(array, dtype=np.int64)
 
 
+def corners(name: str, value: Any) -> npt.NDArray[Any]:
+    """Three integers per triangle. Whether they are indices of points is found out later."""
+    array = np.asarray(value)
+    if array.size == 0:
+        return np.empty((0, 3), dtype=np.int64)
+    if array.ndim != 2 or array.shape[1] != 3:
+        raise UsageError(f"{name} has the shape {array.shape}; (m, 3) is needed")
+    if array.dtype.kind not in "iu":
+        raise UsageError(f"{name} has the dtype {array.dtype}; integers are needed")
+    if array.dtype == np.uint64:
+        array = np.minimum(array, np.uint64(2**32)).astype(np.int64)
+    return array
+
+
 def markers(name: str, value: Any, count: int, of: str) -> Optional[Markers]:
     """Integers of shape (count,), or (count, 1) as Triangle's wrappers have them."""
     if value is None:

@@ -9,7 +9,8 @@ from . import _pardel
 from ._mesh import mesh_of
 from .domain import DomainLike, domain_of
 from .errors import Coordinates
-from .goal import Size, Test, goal_of, has_caps, number, sizes_of, test_of, whole
+from .goal import Size, Test, goal_of, has_caps, sizes_of, test_of
+from .scalars import number, whole
 from .sources import SourcesLike, sources_of
 
 

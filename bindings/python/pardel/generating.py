@@ -10,7 +10,7 @@ import numpy.typing as npt
 from . import _pardel
 from .domain import Domain, DomainLike, domain_of
 from .errors import UsageError
-from .goal import number, whole
+from .scalars import number, whole
 
 
 def generate(kind: str, n: int = 0, *, seed: int = 1) -> Domain:

@@ -15,6 +15,7 @@ from ._mesh import Mesh, mesh_of
 from .errors import UsageError
 from .paths import Path
 from .raster import Raster
+from .scalars import number
 
 # Size: a number; one length per point; a mesh with one length per point of it; a function; a raster, or its file; the
 # values of a raster with its extent or transform.
@@ -22,23 +23,6 @@ Size = Union[float, npt.ArrayLike, Tuple[Any, npt.ArrayLike], Callable[..., Any]
 
 # A test of triangles: a function of the corners, shape (3, 2), and the area; True: the triangle must be refined.
 Test = Callable[[npt.NDArray[np.float64], float], Any]
-
-
-def number(name: str, value: Any) -> float:
-    """A real number, with a message that names the argument."""
-    if isinstance(value, (str, bytes)):
-        raise UsageError(f"{name} is {value!r}; a number is needed")
-    try:
-        return float(value)
-    except (TypeError, ValueError):
-        raise UsageError(f"{name} is {value!r}; a number is needed") from None
-
-
-def whole(name: str, value: Any) -> int:
-    """A number of things."""
-    if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or not 0 <= int(value) < 2**31:
-        raise UsageError(f"{name} is {value!r}; an integer from 0 to 2147483647 is needed")
-    return int(value)
 
 
 def goal_of(*, min_angle: float, max_area: Optional[float], max_edge: Optional[float], size: Optional[Size],

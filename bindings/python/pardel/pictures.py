@@ -11,7 +11,7 @@ from . import _pardel
 from ._mesh import mesh_of
 from .domain import Domain, domain_of
 from .errors import UsageError
-from .goal import whole
+from .scalars import whole
 from .paths import Path
 from .shapes import is_shapes
 

@@ -11,6 +11,8 @@ void bind_mesh(pybind11::module_& module);
 void bind_mesher(pybind11::module_& module);
 void bind_checker(pybind11::module_& module);
 void bind_files(pybind11::module_& module);
+void bind_locate(pybind11::module_& module);
+void bind_state(pybind11::module_& module);
 void bind_parts(pybind11::module_& module);
 void bind_voronoi(pybind11::module_& module);
 void bind_shapes(pybind11::module_& module);

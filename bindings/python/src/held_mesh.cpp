@@ -38,4 +38,11 @@ std::span<const int> HeldMesh::markers() {
   return markers_;
 }
 
+const Locator& HeldMesh::locator(const LocatorOptions& options) {
+  const Mesh& mesh = usable();
+  const std::scoped_lock lock(locator_once_);
+  if (!locator_) locator_.emplace(value_of(Locator::over(mesh, options)));
+  return *locator_;
+}
+
 }  // namespace pardel::python

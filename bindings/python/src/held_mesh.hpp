@@ -3,7 +3,9 @@
 
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <pardel/core/mesh.hpp>
+#include <pardel/parallel/locator.hpp>
 #include <span>
 #include <utility>
 
@@ -32,6 +34,9 @@ class HeldMesh {
   [[nodiscard]] std::span<const MarkedEdge> edges();
   /// One marker per point.
   [[nodiscard]] std::span<const int> markers();
+  /// Made by the first call. Call it without the interpreter lock. Throws a Failure if the mesh cannot be used.
+  /// Thread-safe.
+  [[nodiscard]] const Locator& locator(const LocatorOptions& options);
 
  private:
   Mesh mesh_;
@@ -41,6 +46,8 @@ class HeldMesh {
   EdgeTable edges_;
   Array<int> inferred_markers_;
   std::span<const int> markers_;
+  std::mutex locator_once_;  // not a once_flag: a call may end early, and the next one begins anew
+  std::optional<Locator> locator_;
 };
 
 }  // namespace pardel::python

@@ -15,6 +15,8 @@ PYBIND11_MODULE(_pardel, module) {
   bind_mesher(module);
   bind_checker(module);
   bind_files(module);
+  bind_locate(module);
+  bind_state(module);
   bind_parts(module);
   bind_voronoi(module);
   bind_domains(module);

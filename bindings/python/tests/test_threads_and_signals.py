@@ -149,6 +149,8 @@ WORK = {
     "refine": f"pardel.refine(pardel.mesh({SQUARE}), max_area=1e-8)",
     "delaunay": "pardel.delaunay(points)",
     "check": "pardel.check(points, large, min_angle=0)",
+    "locate": "large.locate(np.tile(points, (8, 1)))",
+    "interpolate": "large.interpolate(points[:, 0], np.tile(points, (8, 1)))",
 }
 SCRIPT = """
 import sys, time
@@ -157,7 +159,7 @@ import pardel
 many = {many}
 if many:
     points = np.random.default_rng(1).random((many, 2))
-    large = pardel.delaunay(points) if "check" in sys.argv[1] else None
+    large = pardel.delaunay(points) if sys.argv[1] != "delaunay" else None
 print("begins", flush=True)
 try:
     {work}
@@ -171,7 +173,7 @@ print("works", flush=True)
 
 @pytest.mark.parametrize("name", WORK)
 def test_ctrl_c_ends_the_run_at_once(name):
-    many = 1_500_000 if name in ("delaunay", "check", "check with a test") else 0
+    many = 1_500_000 if name in ("delaunay", "check", "check with a test", "locate", "interpolate") else 0
     script = SCRIPT.format(work=WORK[name], many=many)
     process = subprocess.Popen([sys.executable, "-c", script, name], stdout=subprocess.PIPE, text=True)
     assert process.stdout.readline() == "begins\n"
