@@ -163,11 +163,10 @@ class Mesh:
     def locate(self, points: npt.ArrayLike, *, threads: int = 0) -> Indices:
         """The triangle in which each point lies: shape (n,), int32; -1 outside the mesh. Exact: there is no tolerance.
 
-        points: shape (n, 2). A point on an edge or at a vertex gets the triangle with the smallest index among those that
-        contain it; one with a coordinate that is not finite gets -1. The mesh may be of any kind, with holes and cracks.
-        The first call prepares the search, in time proportional to the number of triangles; later ones only search.
-        threads: 0: all. Raises `UsageError`; `InvalidInput` for a clockwise triangle, or one with corners that are not
-        finite.
+        points: shape (n, 2). A point on an edge or at a vertex gets the triangle with the smallest index among those
+        that contain it; one with a coordinate that is not finite gets -1. threads: 0: all.
+        The mesh may be of any kind, with holes and cracks. The first call prepares the search of all later ones.
+        Raises `UsageError`; `InvalidInput` for a clockwise triangle, or one with corners that are not finite.
 
         >>> square = Mesh([(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 1, 2), (0, 2, 3)])
         >>> square.locate([(0.9, 0.5), (0.1, 0.5), (0.5, 0.5), (2, 2)]).tolist()
@@ -181,9 +180,9 @@ class Mesh:
 
         values: shape (n,) or (n, k), of any real dtype: one row per point of the mesh. points: shape (m, 2).
         outside: the result where `locate` finds no triangle. threads: 0: all.
-        Returns float64 of shape (m,) or (m, k). At a vertex the result is its value exactly; on an edge it depends on the
-        values at both ends only; everywhere it lies between those at the corners. A linear function is reproduced up to
-        rounding, a constant exactly. Raises the exceptions of `locate`.
+        Returns float64 of shape (m,) or (m, k). At a vertex the result is its value exactly; on an edge it depends on
+        the values at both ends only; everywhere it lies between those at the corners. A linear function is reproduced
+        up to rounding, a constant exactly. Raises the exceptions of `locate`.
 
         >>> square = Mesh([(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 1, 2), (0, 2, 3)])
         >>> square.interpolate([0, 1, 2, 1], [(0.25, 0.5), (1, 1), (2, 2)], outside=-1).tolist()

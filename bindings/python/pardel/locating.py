@@ -19,8 +19,8 @@ def interpolate(core: _pardel.HeldMesh, values: npt.ArrayLike, points: npt.Array
     count = len(core.points)
     shape = arrays.shape("values", values)
     if len(shape) not in (1, 2) or shape[0] != count:
-        raise UsageError(f"values has the shape {shape}; ({count},) or ({count}, k) is needed, one row per point of the "
-                         f"mesh")
+        raise UsageError(f"values has the shape {shape}; ({count},) or ({count}, k) is needed, one row per point of "
+                         f"the mesh")
     columns = shape[1] if len(shape) == 2 else 1
     rows = arrays.numbers("values", np.reshape(values, (count, columns)), columns)
     found = _pardel.interpolate(core, rows, arrays.numbers("points", points, 2), number("outside", outside),

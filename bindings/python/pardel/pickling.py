@@ -22,7 +22,8 @@ def reduced(mesh: Any) -> Tuple[Any, ...]:
 def restored(cls: Any, form: int, state: Dict[str, Any], domain: Optional[Domain], rest: Dict[str, Any]) -> Any:
     """The mesh that was pickled."""
     if form != _FORM:
-        raise UsageError(f"the mesh was pickled by a later version of pardel, in form {form}; this one reads form {_FORM}")
+        raise UsageError(f"the mesh was pickled by a later version of pardel, in form {form}; this one reads form "
+                         f"{_FORM}")
     mesh = cls.__new__(cls)
     vars(mesh).update(rest)
     mesh._core = _pardel.mesh_of_state(state, None if domain is None else domain._core)

@@ -29,7 +29,8 @@ def test_meshio_gets_triangles_lines_markers_and_regions():
     assert [block.type for block in theirs.cells] == ["triangle", "line"]
     assert np.array_equal(theirs.cells_dict["triangle"], mesh.triangles)
     assert np.array_equal(theirs.cells_dict["line"], mesh.segments)
-    assert np.array_equal(theirs.cell_data["marker"][1], mesh.segment_markers) and not theirs.cell_data["marker"][0].any()
+    assert np.array_equal(theirs.cell_data["marker"][1], mesh.segment_markers)
+    assert not theirs.cell_data["marker"][0].any()
     assert set(theirs.cell_data["region"][0]) == {10, 20}
     assert np.array_equal(theirs.point_data["attributes"], mesh.attributes)
     assert np.array_equal(theirs.point_data["marker"], mesh.point_markers)

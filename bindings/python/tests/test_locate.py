@@ -63,14 +63,16 @@ def test_any_value_at_a_vertex_is_reproduced_exactly(mesh, values):
     assert np.array_equal(mesh.interpolate(values, mesh.points[used]), values[used])
 
 
-@given(torn_meshes(), st.lists(halves, min_size=1, max_size=30), st.lists(st.floats(-1e6, 1e6), min_size=40, max_size=40))
+@given(torn_meshes(), st.lists(halves, min_size=1, max_size=30),
+       st.lists(st.floats(-1e6, 1e6), min_size=40, max_size=40))
 def test_interpolated_values_lie_between_those_at_the_corners(mesh, places, values):
     values = np.array(values)[:len(mesh.points)]
     triangle = mesh.locate(places)
     inside = triangle >= 0
     corners = values[mesh.triangles[triangle[inside]]]
     found = mesh.interpolate(values, np.array(places))[inside]
-    assert (corners.min(axis=1, initial=np.inf) <= found).all() and (found <= corners.max(axis=1, initial=-np.inf)).all()
+    assert (corners.min(axis=1, initial=np.inf) <= found).all()
+    assert (found <= corners.max(axis=1, initial=-np.inf)).all()
 
 
 def test_an_edge_and_a_vertex_belong_to_the_triangle_with_the_smallest_index(two):
@@ -109,7 +111,8 @@ def test_values_may_have_any_real_dtype(two, dtype):
 WRONG = {
     "points of one dimension": (lambda mesh: mesh.locate([0.5, 0.5]), r"points has the shape \(2,\); \(n, 2\)"),
     "points of text": (lambda mesh: mesh.locate([("a", "b")]), "points has the dtype <U1"),
-    "too few values": (lambda mesh: mesh.interpolate([1, 2], [(0, 0)]), r"values has the shape \(2,\); \(4,\) or \(4, k\)"),
+    "too few values": (lambda mesh: mesh.interpolate([1, 2], [(0, 0)]),
+                       r"values has the shape \(2,\); \(4,\) or \(4, k\)"),
     "values of three dimensions": (lambda mesh: mesh.interpolate(np.ones((4, 1, 1)), [(0, 0)]), "values has the shape"),
     "complex values": (lambda mesh: mesh.interpolate(np.ones(4, complex), [(0, 0)]), "values has the dtype complex128"),
     "values in rows of different lengths": (lambda mesh: mesh.interpolate([(1,), (1, 2), (), ()], [(0, 0)]),
@@ -128,7 +131,8 @@ def test_a_wrong_argument_is_named(two, what, capfd):
 
 
 INVALID = {
-    "a clockwise triangle": (SQUARE, [(0, 1, 2), (0, 3, 2)], r"triangle 1 of the mesh \(vertices 0, 3, 2\) is clockwise"),
+    "a clockwise triangle": (SQUARE, [(0, 1, 2), (0, 3, 2)],
+                             r"triangle 1 of the mesh \(vertices 0, 3, 2\) is clockwise"),
     "a point that is not finite": ([(0, 0), (1, np.nan), (1, 1)], [(0, 1, 2)], r"has a corner at \(1, nan\)"),
     "a point that is not there": (SQUARE, [(0, 1, 7)], "index that is not the index of a point"),
 }

@@ -17,9 +17,9 @@ import pardel
 
 SOURCE = Path(os.environ.get("PARDEL_SOURCE", Path(__file__).resolve().parents[3]))
 MODULES = ("pardel", "pardel._mesh", "pardel.checking", "pardel.domain", "pardel.files", "pardel.generating",
-           "pardel.geometry", "pardel.meshing", "pardel.pictures", "pardel.polygons", "pardel.raster", "pardel.sources",
-           "pardel.testing.certifying", "pardel.testing.families", "pardel.testing.meshes",
-           "pardel.validation")
+           "pardel.geometry", "pardel.meshing", "pardel.pictures", "pardel.polygons", "pardel.raster",
+           "pardel.simplices", "pardel.sources", "pardel.testing.certifying", "pardel.testing.families",
+           "pardel.testing.meshes", "pardel.validation")
 
 
 def run(*command, **options):
@@ -42,7 +42,7 @@ def test_the_examples_of_the_page_are_true(tmp_path, monkeypatch):
 
 def test_every_public_name_has_a_docstring():
     assert all(getattr(pardel, name).__doc__ for name in pardel.__all__ if name != "__version__")
-    for cls in (pardel.Mesh, pardel.Domain):
+    for cls in (pardel.Mesh, pardel.Domain, pardel.Simplices):
         assert all(value.__doc__ for name, value in vars(cls).items() if not name.startswith("_"))
 
 

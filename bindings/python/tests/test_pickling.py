@@ -29,8 +29,9 @@ def assert_same(one, other):
 def rich_mesh():
     points = [(0, 0), (1, 0), (2, 0), (2, 1), (1, 1), (0, 1)]
     segments = [(0, 1), (1, 2), (2, 3), (3, 4), (4, 5), (5, 0), (1, 4)]
-    return pardel.mesh(points, segments, regions=[(0.5, 0.5, 10, 0.01), (1.5, 0.5, 20, 0)], markers=[1, 1, 2, 1, 1, 3, 0],
-                       attributes=np.arange(12).reshape(6, 2), point_markers=[5, 0, 0, 7, 0, 0], max_vertices=60)
+    return pardel.mesh(points, segments, regions=[(0.5, 0.5, 10, 0.01), (1.5, 0.5, 20, 0)],
+                       markers=[1, 1, 2, 1, 1, 3, 0], attributes=np.arange(12).reshape(6, 2),
+                       point_markers=[5, 0, 0, 7, 0, 0], max_vertices=60)
 
 
 @pytest.mark.parametrize("way", WAYS)
@@ -67,7 +68,8 @@ def test_fields_of_a_file_are_kept(tmp_path):
     meshio = pytest.importorskip("meshio")
     data = np.array([1.0, 2, 3, np.nan])
     meshio.Mesh([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], [("triangle", [(0, 1, 2), (0, 2, 3)])],
-                point_data={"height": data}, cell_data={"flow": [[(1.0, 2.0, 3.0), (4, 5, 6)]]}).write(tmp_path / "in.vtu")
+                point_data={"height": data},
+                cell_data={"flow": [[(1.0, 2.0, 3.0), (4, 5, 6)]]}).write(tmp_path / "in.vtu")
     read = pardel.read(tmp_path / "in.vtu")
     pickle.loads(pickle.dumps(read)).save(tmp_path / "out.vtu")
     out = meshio.read(tmp_path / "out.vtu")
