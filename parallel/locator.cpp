@@ -51,6 +51,7 @@ Status check_triangles(const Mesh& mesh, const Threads& threads) {
 template <class Work>
 Status stoppable(const LocatorOptions& options, const Work& work) try {
   StopSignal stop(StopSignal::unless(options.go_on));
+  stop.ask();  // in a short loop, other threads may do all the work, and do not ask
   return work(Threads(thread_count(options.threads), &stop));
 } catch (const Stopped& stopped) {
   return stopped.error;
