@@ -73,7 +73,8 @@ inline Mesh torn_lattice(generators::Random& random, int side, double shear, dou
   for (int j = 0; j < side; ++j)
     for (int i = 0; i < side; ++i) {
       if (random.below(std::size_t{8}) == 0) continue;
-      auto low = static_cast<Index>(j * (side + 1) + i), high = static_cast<Index>(low + side + 1);
+      auto low = static_cast<Index>(j * (side + 1) + i);
+      const auto high = low + static_cast<Index>(side) + 1;
       Index right = low + 1;
       if (random.below(std::size_t{6}) == 0) {
         mesh.points.push_back(mesh.points[low]);
