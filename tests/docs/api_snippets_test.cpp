@@ -79,6 +79,11 @@ bool run_snippets(const std::filesystem::path& folder) {
   const auto of_repaired = pardel::mesh(repaired->domain);
   EXPECT_TRUE(of_repaired);
 
+  const pardel::Result<pardel::Locator> locator = pardel::Locator::over(meshed->mesh);
+  if (!locator) return report(locator.error());
+  const pardel::Index triangle = locator->triangle_at({0.5, 0.25});  // the first of several; pardel::no_index outside
+  EXPECT_NE(triangle, pardel::no_index);
+
   const pardel::Status written = pardel::write_mesh(meshed->mesh, plate, folder / "plate.vtu");
   if (!written) return report(written.error());
   const auto again = pardel::read_mesh(folder / "plate.vtu");

@@ -6,10 +6,10 @@ from dataclasses import dataclass
 from typing import Any, Dict, Optional, Tuple
 
 from . import _pardel
-from ._mesh import mesh_of
 from .domain import DomainLike, domain_of
 from .errors import Coordinates
 from .goal import Size, Test, goal_of, has_caps, sizes_of, test_of
+from .mesh_like import mesh_of
 from .scalars import number, whole
 from .sources import SourcesLike, sources_of
 

@@ -6,8 +6,9 @@ import os
 from typing import Any, Union
 
 from . import _pardel
-from ._mesh import Mesh, mesh_of
+from ._mesh import Mesh
 from .domain import Domain
+from .mesh_like import mesh_of
 from .paths import Path
 
 

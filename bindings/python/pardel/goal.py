@@ -11,8 +11,9 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _pardel, arrays
-from ._mesh import Mesh, mesh_of
+from ._mesh import Mesh
 from .errors import UsageError
+from .mesh_like import mesh_of
 from .paths import Path
 from .raster import Raster
 from .scalars import number

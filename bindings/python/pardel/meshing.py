@@ -8,9 +8,10 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _pardel, arrays
-from ._mesh import Mesh, mesh_of
+from ._mesh import Mesh
 from .domain import DomainLike, domain_of
 from .goal import Size, Test, goal_of, has_caps, sizes_of, test_of
+from .mesh_like import mesh_of
 from .progress import Progress, reporting
 from .scalars import number, whole
 from .sources import SourcesLike, sources_of

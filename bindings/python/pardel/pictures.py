@@ -8,11 +8,11 @@ from typing import Any, Optional, Sequence, Tuple
 import numpy as np
 
 from . import _pardel
-from ._mesh import mesh_of
 from .domain import Domain, domain_of
 from .errors import UsageError
-from .scalars import whole
+from .mesh_like import mesh_of
 from .paths import Path
+from .scalars import whole
 from .shapes import is_shapes
 
 _WORDS = ("region", "quality", "size")

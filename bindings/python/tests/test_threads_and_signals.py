@@ -149,8 +149,8 @@ WORK = {
     "refine": f"pardel.refine(pardel.mesh({SQUARE}), max_area=1e-8)",
     "delaunay": "pardel.delaunay(points)",
     "check": "pardel.check(points, large, min_angle=0)",
-    "locate": "large.locate(np.tile(points, (8, 1)))",
-    "interpolate": "large.interpolate(points[:, 0], np.tile(points, (8, 1)))",
+    "locate": "large.locate(places)",
+    "interpolate": "large.interpolate(points[:, 0], places)",
 }
 SCRIPT = """
 import sys, time
@@ -160,6 +160,7 @@ many = {many}
 if many:
     points = np.random.default_rng(1).random((many, 2))
     large = pardel.delaunay(points) if sys.argv[1] != "delaunay" else None
+    places = np.tile(points, (8, 1)) if sys.argv[1] in ("locate", "interpolate") else None
 print("begins", flush=True)
 try:
     {work}
