@@ -13,7 +13,7 @@ from hypothesis.errors import Flaky, NoSuchExample
 from ..checking import Certificate
 from ..domain import Domain
 from ..errors import UsageError
-from ..goal import number, whole
+from ..scalars import number, whole
 from .code import code_of
 from .families import Family, named
 from .judging import Mesher, Verdict, judged, plain
