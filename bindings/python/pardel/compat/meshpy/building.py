@@ -8,7 +8,8 @@ from typing import Any, Callable, Dict, NamedTuple, Optional, Tuple
 import numpy as np
 
 from ...errors import UsageError
-from ...goal import Test, number
+from ...goal import Test
+from ...scalars import number
 from ..triangle.given import Given
 from ..triangle.meshing import Made, meshed, refined
 from ..triangle.result import dictionary
