@@ -9,6 +9,7 @@
 #include "../core/support/stopwatch.hpp"
 #include "../parallel/mesher.hpp"
 #include "../parallel/planning/supervised.hpp"
+#include "../parallel/threads/parallel_for.hpp"
 #include "delaunay/piece_of_points.hpp"
 #include "delaunay/problems_of_points.hpp"
 #include "delaunay/triangulated_points.hpp"

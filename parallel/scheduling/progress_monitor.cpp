@@ -2,12 +2,15 @@
 
 #include <algorithm>
 
+#include "../threads/parallel_for.hpp"
 #include "../triangulation/limits.hpp"
 
 namespace pardel::engine {
 
 ProgressMonitor::ProgressMonitor(const Options& options, StopSignal::Clock::duration interval)
     : options_(options), stop_([this] { return ask_caller(); }, interval) {}
+
+Threads ProgressMonitor::threads() { return {thread_count(options_.threads, work_), &stop_}; }
 
 void ProgressMonitor::set_aside(std::uint64_t vertices, std::uint64_t triangles) {
   vertices_aside_ = vertices;

@@ -6,7 +6,6 @@
 #include <cstdint>
 
 #include "../options.hpp"
-#include "../threads/parallel_for.hpp"
 #include "../threads/threads.hpp"
 
 namespace pardel::engine {
@@ -20,7 +19,7 @@ class ProgressMonitor {
 
   /// The threads of the run: options.threads, or as many as pay for the present work. Their loops call
   /// options.progress; only the thread that made the monitor calls it.
-  [[nodiscard]] Threads threads() { return {thread_count(options_.threads, work_), &stop_}; }
+  [[nodiscard]] Threads threads();
   /// From now on, the work is this number of points or triangles. Before the first call, it is not known to be small.
   void expect(double work) { work_ = work; }
 
