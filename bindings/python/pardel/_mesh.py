@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from dataclasses import dataclass
 from typing import Any, Dict, Mapping, Optional, Tuple
 
@@ -12,7 +11,7 @@ import numpy.typing as npt
 from . import _pardel, arrays, exports, locating, pickling
 from .domain import Domain
 from .notebook import svg_of_mesh
-from .paths import Path
+from .paths import Path, text_of
 from .plotting import By, plot_mesh
 from .report import Report, report_of
 from .simplices import Simplices
@@ -191,7 +190,7 @@ class Mesh:
 
     def save(self, path: Path, *, as_text: bool = False, second_order: bool = False) -> None:
         """Writes a file, as `write` does."""
-        _pardel.write_mesh(os.fspath(path), self._core, as_text, second_order)
+        _pardel.write_mesh(text_of(path), self._core, as_text, second_order)
 
     def to_meshio(self) -> Any:
         """A ``meshio.Mesh``: triangles, then `segments` as lines.

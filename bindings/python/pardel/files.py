@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-import os
+import os.path
 from typing import Any, Union
 
 from . import _pardel
 from ._mesh import Mesh
-from .domain import Domain
+from .domain import Domain, domain_of
+from .errors import UsageError
 from .mesh_like import mesh_of
-from .paths import Path
+from .paths import Path, text_of
+from .shapes import is_shapes
 
 
 def read(path: Path) -> Union[Domain, Mesh]:
@@ -18,15 +20,16 @@ def read(path: Path) -> Union[Domain, Mesh]:
     Meshes: .node and .ele, .msh, .vtu, .pvtu, .vtk, .off, .2dm, .gr3, .14. docs/formats.md has the details.
     Raises `FileError` if the file cannot be read, `InvalidInput` with the line if its content is wrong.
     """
-    core = _pardel.read(os.fspath(path))
+    core = _pardel.read(text_of(path))
     return Domain._of(core) if isinstance(core, _pardel.Pslg) else Mesh._of(core)
 
 
 def write(path: Path, mesh: Any, *, as_text: bool = False, second_order: bool = False) -> None:
     """Writes a mesh or a domain. The suffix determines the format. The file appears whole, or not at all.
 
-    mesh: a `Domain` for .poly and .svg; a mesh, in each form that `check` takes, for .node and .ele, .msh, .vtu, .vtk,
-    .off, .2dm, .gr3, .14, .inp, .svg. as_text: a .msh without binary numbers. second_order: six nodes per triangle.
+    mesh: a `Domain` or a geometry for .poly and .svg; a mesh, in each form that `check` takes, for .node and .ele,
+    .msh, .vtu, .vtk, .off, .2dm, .gr3, .14, .inp, .svg. as_text: a .msh without binary numbers.
+    second_order: six nodes per triangle.
     Raises `FileError`; `UsageError` if the format cannot have it.
 
     >>> import pathlib, tempfile
@@ -35,7 +38,11 @@ def write(path: Path, mesh: Any, *, as_text: bool = False, second_order: bool = 
     >>> read(file)
     Mesh(4 points, 2 triangles)
     """
-    if isinstance(mesh, Domain):
-        _pardel.write_domain(os.fspath(path), mesh._core)
+    file = text_of(path)
+    if isinstance(mesh, Domain) or is_shapes(mesh):
+        suffix = os.path.splitext(file)[1]
+        if suffix not in (".poly", ".svg"):
+            raise UsageError(f"{file}: {suffix!r} is not a format of a domain; these are .poly and .svg")
+        _pardel.write_domain(file, domain_of(mesh)._core)
     else:
-        _pardel.write_mesh(os.fspath(path), mesh_of(mesh)._core, as_text, second_order)
+        _pardel.write_mesh(file, mesh_of(mesh)._core, as_text, second_order)

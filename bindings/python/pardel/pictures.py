@@ -11,7 +11,7 @@ from . import _pardel
 from .domain import Domain, domain_of
 from .errors import UsageError
 from .mesh_like import mesh_of
-from .paths import Path
+from .paths import Path, text_of
 from .scalars import whole
 from .shapes import is_shapes
 
@@ -37,7 +37,7 @@ def draw(path: Path, mesh: Any, *, by: str = "region", window: Optional[Sequence
                          "draws an .svg without it")
     if by not in _WORDS:
         raise UsageError(f"by is {by!r}; it must be one of {', '.join(_WORDS)}")
-    file = os.fspath(path)
+    file = text_of(path)
     suffix = os.path.splitext(file)[1]
     if suffix not in (".svg", ".png"):
         raise UsageError(f"{file}: the suffix of a picture is .svg or .png")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from typing import Any, Optional, Sequence, Tuple
 
 import numpy as np
@@ -10,7 +9,7 @@ import numpy.typing as npt
 
 from . import _pardel
 from .errors import UsageError
-from .paths import Path
+from .paths import Path, text_of
 
 
 class Raster:
@@ -46,7 +45,7 @@ class Raster:
     def read(cls, path: Path) -> Raster:
         """An ESRI ASCII grid (.asc), or an .npy with a world file .wld. Raises `FileError`, `InvalidInput`."""
         raster = cls.__new__(cls)
-        raster._core = _pardel.Raster.read(os.fspath(path))
+        raster._core = _pardel.Raster.read(text_of(path))
         return raster
 
     @property

@@ -12,7 +12,7 @@ from . import _pardel, arrays
 from .domain import HasGeoInterface
 from .errors import UsageError
 from .geometry import Of, lengths_of
-from .paths import Path
+from .paths import Path, text_of
 from .shapes import is_shapes
 
 
@@ -41,7 +41,7 @@ class Sources:
     @classmethod
     def read(cls, path: Path) -> Sources:
         """The places that a file of the program's option ``--sources`` names, also one of GeoJSON (docs/formats.md)."""
-        return cls._of(_pardel.Places.read(os.fspath(path)))
+        return cls._of(_pardel.Places.read(text_of(path)))
 
     @classmethod
     def of(cls, shapes: Any, length: Of = None) -> Sources:

@@ -31,6 +31,12 @@ def test_a_domain_is_the_same_after_it_was_written_and_read(tmp_path):
     assert pardel.read(tmp_path / "domain.poly") == domain
 
 
+def test_a_geometry_is_written_as_its_domain(tmp_path):
+    field = {"type": "Polygon", "coordinates": [[(0, 0), (4, 0), (4, 4), (0, 0)]]}
+    pardel.write(tmp_path / "field.poly", field)
+    assert pardel.read(tmp_path / "field.poly") == pardel.geometry(field)
+
+
 def test_a_domain_is_drawn(plate, tmp_path):
     pardel.write(tmp_path / "plate.svg", plate)
     assert "<svg" in (tmp_path / "plate.svg").read_text()
