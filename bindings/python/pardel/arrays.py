@@ -21,6 +21,9 @@ def _as_array(name: str, value: Any) -> npt.NDArray[Any]:
         array = np.asarray(value)
     except ValueError as error:  # rows of different lengths
         raise UsageError(f"{name} is not an array: {error}") from None
+    if array.ndim == 0 and array.dtype.kind in "OUS":
+        raise UsageError(f"{name} is a {type(value).__name__}; an array of real numbers is needed"
+                         + ("; pardel.geometry makes a domain of it" if hasattr(value, "__geo_interface__") else ""))
     if array.dtype.kind not in "iufb" and array.size > 0:
         raise UsageError(f"{name} has the dtype {array.dtype}; real numbers are needed")
     return array

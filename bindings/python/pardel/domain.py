@@ -184,4 +184,7 @@ def domain_of(value: Any, segments: Any = None, **parts: Any) -> Domain:
         from .geometry import geometry  # which needs Domain
 
         return geometry(value)
+    if hasattr(value, "points") and (hasattr(value, "triangles") or hasattr(value, "cells")):
+        raise UsageError(f"this is a {type(value).__name__}; a domain is needed: that of a Mesh is mesh.domain, and "
+                         f"pardel.refine takes a mesh")
     return Domain(value, segments, **parts)

@@ -56,6 +56,9 @@ def plot_domain(domain: Domain, ax: Any, points: bool, **options: Any) -> Any:
 
 def _axes(ax: Any) -> Any:
     if ax is not None:
+        if not hasattr(ax, "add_collection"):
+            raise UsageError(f"ax is a {type(ax).__name__}; axes of matplotlib are needed; what the colours of a mesh "
+                             f"show is the argument by")
         return ax
     try:
         from matplotlib import pyplot  # type: ignore[import]

@@ -30,6 +30,8 @@ def polygon(outline: npt.ArrayLike, *inner: npt.ArrayLike) -> Domain:
 
 
 def _ring(corners: npt.ArrayLike) -> arrays.Numbers:
+    if len(arrays.shape("a polygon", corners)) == 3:
+        raise UsageError("a polygon is a list of polygons; each one is an argument: polygon(outline, first, second)")
     ring = arrays.numbers("a polygon", corners, 2)
     if len(ring) > 1 and np.array_equal(ring[0], ring[-1]):
         ring = ring[:-1]

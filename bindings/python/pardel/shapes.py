@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from typing import Any, Callable, Iterator, List, Mapping, NamedTuple, Tuple
 
 import numpy as np
@@ -54,6 +55,9 @@ def is_shapes(value: Any) -> bool:
 def parts_of(shapes: Any) -> Tuple[List[Part], List[Item]]:
     """All parts, and the items to which they belong. Raises `UsageError` with the place of what is wrong."""
     reader = _Reader()
+    if isinstance(shapes, (str, os.PathLike)):
+        raise UsageError("a geometry is needed, and this is text: pardel.read reads the domain in a file, and "
+                         "json.loads and shapely.wkt.loads make geometries of text")
     if is_shape(shapes):
         reader.read(shapes, "the geometry", {}, None, 0)
     else:

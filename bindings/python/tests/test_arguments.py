@@ -174,3 +174,27 @@ def test_repair_changes_nothing_of_a_valid_domain(plate):
 def test_repair_of_nothing_is_refused():
     with pytest.raises(pardel.InvalidInput):
         pardel.repair([(0, 0), (np.nan, 0), (0, 1)])
+
+
+MISTAKES = {
+    "the mesh before the path": (lambda mesh: pardel.write(mesh, "plate.vtu"), "path is a Mesh; the path of a file"),
+    "the mesh before the path of a picture": (lambda mesh: pardel.draw(mesh, "plate.svg"), "path is a Mesh"),
+    "a number for a path": (lambda mesh: pardel.read(3), "path is a int; the path of a file is needed"),
+    "the mesh before the domain": (lambda mesh: pardel.check(mesh, mesh.domain), "this is a Mesh; a domain is needed"),
+    "a mesh for a domain": (lambda mesh: pardel.mesh(mesh), "this is a Mesh; a domain is needed"),
+    "a dict for points": (lambda mesh: pardel.mesh({"vertices": POINTS}), "points is a dict; an array"),
+    "inner polygons in a list": (lambda mesh: pardel.polygon(POINTS, [POINTS]), "each one is an argument"),
+    "the path of a file for a geometry": (lambda mesh: pardel.geometry("a.geojson"), "pardel.read reads the domain"),
+    "a colour for the axes": (lambda mesh: mesh.plot("quality"), "ax is a str; axes of matplotlib are needed"),
+    "a domain in a format of meshes": (lambda mesh: pardel.write("plate.vtu", mesh.domain), "'.vtu' is not a format"),
+    "a domain as GeoJSON": (lambda mesh: pardel.write("plate.geojson", mesh.domain), "these are .poly and .svg"),
+}
+
+
+@pytest.mark.parametrize("mistake", MISTAKES)
+def test_a_frequent_mistake_gets_a_message_that_says_what_is_needed(mistake, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    act, message = MISTAKES[mistake]
+    with pytest.raises(pardel.UsageError, match=message):
+        act(pardel.mesh(POINTS, SEGMENTS))
+    assert not list(tmp_path.iterdir())
