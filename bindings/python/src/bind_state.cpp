@@ -49,7 +49,8 @@ std::vector<Field> fields_of(const py::dict& state) {
   std::vector<Field> fields;
   for (const py::handle item : state["fields"]) {
     const auto row = item.cast<py::tuple>();
-    Field field{.name = row[0].cast<std::string>()};
+    Field field;
+    field.name = row[0].cast<std::string>();
     field.place = row[1].cast<bool>() ? Field::Place::points : Field::Place::triangles;
     field.components = row[2].cast<std::size_t>();
     py::dict values;
