@@ -53,6 +53,14 @@ def test_a_function_of_arrays_may_return_one_number(square):
 
 def test_a_number_bounds_all_edges(square):
     assert pardel.mesh(square, size=0.1).digest == pardel.mesh(square, max_edge=0.1).digest
+    for size, edge in ((0.1, 0.3), (0.3, 0.1)):  # the smaller one counts
+        assert pardel.mesh(square, size=size, max_edge=edge).digest == pardel.mesh(square, max_edge=0.1).digest
+
+
+@pytest.mark.parametrize("wrong", [0, -1, np.nan, np.inf])
+def test_a_wrong_length_at_a_point_is_named(square, wrong):
+    with pytest.raises(pardel.UsageError, match=rf"size\[2\] is {wrong}.*; a finite number greater than 0"):
+        pardel.mesh(square, size=[0.1, 0.1, wrong, 0.1])
 
 
 def test_lengths_at_the_points_are_interpolated(square):
