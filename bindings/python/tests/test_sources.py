@@ -44,6 +44,12 @@ def test_lengths_hold_on_segments_with_a_marker(square):
     assert pardel.mesh(square, sources=pardel.Sources(markers={2: 0.01}), grading=0.3).digest == mesh.digest
 
 
+def test_one_length_of_a_line_holds_at_both_ends():
+    meshes = [pardel.mesh(UNIT, sources=pardel.Sources(lines=[line]), grading=0.3).digest
+              for line in ((0.2, 0.5, 0.8, 0.6, 0.05), (0.2, 0.5, 0.8, 0.6, 0.05, 0.05))]
+    assert meshes[0] == meshes[1]
+
+
 def test_lengths_hold_along_lines():
     mesh = pardel.mesh(UNIT, sources=pardel.Sources(lines=[(0.2, 0.5, 0.8, 0.5, 0.01)]), grading=0.3)
     assert abs(finest_at(mesh)[1] - 0.5) < 0.05
@@ -118,6 +124,7 @@ def test_a_marker_or_region_that_the_domain_lacks_is_named(parts, message):
     (dict(lines=[(0, 0, 1, 1)]), r"lines of sources has the shape \(1, 4\)"),
     (dict(lines=[(0, 0, 1, 1, -1)]), r"lines\[0\] of sources"),
     (dict(lines=[(0, 0, 1, 1, 1, 0)]), r"lines\[0\] of sources"),
+    (dict(lines=[(0, 0, 1, 1, 0, 1)]), r"lines\[0\] of sources"),
     (dict(markers=[0.1]), "markers of sources is a list; a dict of lengths is needed"),
     (dict(markers={0.5: 1}), "markers of sources has 0.5, which is no 32-bit integer"),
     (dict(markers={2**40: 1}), "no 32-bit integer"),
