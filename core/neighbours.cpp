@@ -44,6 +44,8 @@ class PairedSides {
   };
   static constexpr int most_threads = 8;
   static constexpr std::size_t least_parallel = 1 << 15;
+  /// The threads take blocks of this size. One that other work of the machine holds up leaves more to the others.
+  static constexpr std::size_t block = 1 << 13;
 
   [[nodiscard]] int threads() const {
     return triangles_.size() < least_parallel ? 1 : std::min(omp_get_max_threads(), most_threads);
@@ -97,7 +99,7 @@ class PairedSides {
   /// False if two rising sides have the same ends, or if there are too many at one point to compare them quickly.
   [[nodiscard]] bool are_rising_distinct() const {
     std::atomic<bool> distinct = true;
-#pragma omp parallel for num_threads(threads()) schedule(static)
+#pragma omp parallel for num_threads(threads()) schedule(dynamic, block)
     for (std::size_t p = 0; p < points_; ++p) {
       const auto sides = rising_from(p);
       bool fine = sides.size() <= most_at_a_point;
@@ -115,7 +117,7 @@ class PairedSides {
     std::vector<std::exception_ptr> thrown(alone.size());
     std::vector<std::size_t> joined(alone.size(), 0);
     std::atomic<bool> fine = true;
-#pragma omp parallel for num_threads(threads()) schedule(static)
+#pragma omp parallel for num_threads(threads()) schedule(dynamic, block)
     for (std::size_t t = 0; t < triangles_.size(); ++t) {
       const auto& v = triangles_[t].v;
       for (std::size_t i = 0; i < 3; ++i) {
@@ -146,7 +148,7 @@ class PairedSides {
   /// False if two falling sides were joined to one rising side: then fewer sides than pairs of two have a neighbour.
   [[nodiscard]] bool is_each_joined_once() const {
     std::size_t with_neighbour = 0;
-#pragma omp parallel for num_threads(threads()) schedule(static) reduction(+ : with_neighbour)
+#pragma omp parallel for num_threads(threads()) schedule(dynamic, block) reduction(+ : with_neighbour)
     for (std::size_t t = 0; t < triangles_.size(); ++t)
       for (const Index n : triangles_[t].n) with_neighbour += n != no_index ? 1 : 0;
     return with_neighbour == 2 * joined_;
@@ -154,7 +156,7 @@ class PairedSides {
 
   template <class Change>
   void for_each_triangle(const Change& change) {
-#pragma omp parallel for num_threads(threads()) schedule(static)
+#pragma omp parallel for num_threads(threads()) schedule(dynamic, block)
     for (std::size_t t = 0; t < triangles_.size(); ++t) change(triangles_[t]);
   }
 

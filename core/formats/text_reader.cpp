@@ -1,7 +1,5 @@
 #include "text_reader.hpp"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
@@ -23,22 +21,19 @@ using Stream = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 /// Files of at least this size are read on all threads: the system then also provides the memory on all threads.
 constexpr std::size_t least_shared_size = std::size_t{1} << 24;
 
-/// Each thread reads one part of the file. False if one of them cannot, for example because the file becomes shorter.
+/// The threads read parts of the file. False if one of them cannot, for example because the file becomes shorter.
 bool read_on_all_threads(const std::filesystem::path& file, std::size_t size, Array<char>& bytes) {
   if (size > static_cast<std::size_t>(std::numeric_limits<long>::max())) return false;
   bytes.reserve(size);
   bytes.resize_uninitialised(size);
-  const int threads = omp_get_max_threads();
+  constexpr std::size_t part_size = least_shared_size / 8;
   bool complete = true;
-#pragma omp parallel for num_threads(threads) schedule(static, 1) reduction(&& : complete)
-  for (int k = 0; k < threads; ++k) {
-    const auto begin_of = [&](int part) {
-      return size / static_cast<std::size_t>(threads) * static_cast<std::size_t>(part);
-    };
-    const std::size_t begin = begin_of(k), end = k + 1 == threads ? size : begin_of(k + 1);
+#pragma omp parallel for schedule(dynamic, 1) reduction(&& : complete)
+  for (std::size_t begin = 0; begin < size; begin += part_size) {
+    const std::size_t length = std::min(part_size, size - begin);
     const Stream part(std::fopen(file.c_str(), "rb"), close_unless_input);
     complete = complete && part && std::fseek(part.get(), static_cast<long>(begin), SEEK_SET) == 0 &&
-               std::fread(bytes.data() + begin, 1, end - begin, part.get()) == end - begin;
+               std::fread(bytes.data() + begin, 1, length, part.get()) == length;
   }
   return complete;
 }

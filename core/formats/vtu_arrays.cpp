@@ -16,7 +16,7 @@ template <class Stored, class Value>
 Array<Value> converted(std::string_view bytes) {
   Array<Value> values;
   values.resize_uninitialised(bytes.size() / sizeof(Stored));
-#pragma omp parallel for schedule(static) if (values.size() > 100'000)
+#pragma omp parallel for schedule(dynamic, 1 << 14) if (values.size() > 100'000)
   for (std::size_t i = 0; i < values.size(); ++i) {
     Stored stored;
     std::memcpy(&stored, bytes.data() + i * sizeof(Stored), sizeof(Stored));

@@ -113,7 +113,7 @@ class VtuMesh {
     const auto xyz = values<double>(array, 3 * points());
     if (array != nullptr && array->type == "Float32") unit_of_points_ = std::numeric_limits<float>::epsilon();
     mesh_.points.resize_uninitialised(xyz.size() / 3);
-#pragma omp parallel for schedule(static) if (mesh_.points.size() > 100'000)
+#pragma omp parallel for schedule(dynamic, 1 << 14) if (mesh_.points.size() > 100'000)
     for (std::size_t i = 0; i < mesh_.points.size(); ++i) mesh_.points[i] = {xyz[3 * i], xyz[3 * i + 1]};
   }
 
@@ -126,7 +126,7 @@ class VtuMesh {
     const auto points = static_cast<std::uint64_t>(mesh_.points.size());
     mesh_.triangles.resize_uninitialised(n);
     bool right = true;
-#pragma omp parallel for schedule(static) reduction(&& : right) if (n > 100'000)
+#pragma omp parallel for schedule(dynamic, 1 << 14) reduction(&& : right) if (n > 100'000)
     for (std::size_t t = 0; t < n; ++t) {
       Triangle triangle;
       bool in_range = ends[t] == static_cast<std::int64_t>(3 * t + 3);

@@ -133,11 +133,11 @@ std::vector<Index> boundary_vertices(const Adjacency& adjacency) {
 }
 
 std::uint64_t count_used_vertices(const Adjacency& adjacency, std::size_t vertices, StopSignal* stop) {
-  std::vector<std::uint64_t> counts(static_cast<std::size_t>(omp_get_max_threads()), 0);
-  for_each_run(vertices, stop, [&](std::size_t first, std::size_t last, std::size_t thread) {
+  std::vector<std::uint64_t> counts(share_count(), 0);
+  for_each_run(vertices, stop, [&](std::size_t first, std::size_t last, std::size_t share) {
     std::uint64_t used = 0;
     for (std::size_t v = first; v < last; ++v) used += adjacency.has_triangle(static_cast<Index>(v)) ? 1 : 0;
-    counts[thread] += used;
+    counts[share] += used;
   });
   return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
 }

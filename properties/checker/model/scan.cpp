@@ -10,16 +10,16 @@ namespace {
 constexpr std::uint8_t bit(Test test, bool open) { return open ? static_cast<std::uint8_t>(test) : std::uint8_t{0}; }
 
 bool are_finite(std::span<const Point> points, StopSignal* stop) {
-  std::vector<char> finite(static_cast<std::size_t>(omp_get_max_threads()), 1);
-  for_each_run(points.size(), stop, [&](std::size_t first, std::size_t last, std::size_t thread) {
+  std::vector<char> finite(share_count(), 1);
+  for_each_run(points.size(), stop, [&](std::size_t first, std::size_t last, std::size_t share) {
     double zero = 0;  // the product with an infinite number or with NaN is NaN
     for (std::size_t i = first; i < last; ++i) zero += points[i].x * 0 + points[i].y * 0;
-    if (!(zero == 0)) finite[thread] = 0;
+    if (!(zero == 0)) finite[share] = 0;
   });
   return std::all_of(finite.begin(), finite.end(), [](char each) { return each != 0; });
 }
 
-/// The part of the result that one thread makes.
+/// The part of the result that one share makes.
 struct Part {
   bool corners_usable = true, neighbours_in_range = true, neighbours_reciprocal = true;
   std::uint64_t rays = 0, to_later = 0, to_earlier = 0;  ///< the last two: links to triangles with greater/less numbers
@@ -125,9 +125,9 @@ Scan scan(std::span<const Point> points, std::span<const Triangle> triangles, co
   if (!result.points_finite) return result;
   result.start.resize(points.size(), no_index);
   const TriangleScan scan(points, triangles, bounds, result.start.span());
-  std::vector<Part> parts(static_cast<std::size_t>(omp_get_max_threads()));
-  for_each_run(triangles.size(), stop, [&](std::size_t first, std::size_t last, std::size_t thread) {
-    for (std::size_t t = first; t < last; ++t) scan.add(static_cast<Index>(t), parts[thread]);
+  std::vector<Part> parts(share_count());
+  for_each_run(triangles.size(), stop, [&](std::size_t first, std::size_t last, std::size_t share) {
+    for (std::size_t t = first; t < last; ++t) scan.add(static_cast<Index>(t), parts[share]);
   });
   std::uint64_t to_later = 0, to_earlier = 0;
   for (const Part& part : parts) {

@@ -14,22 +14,29 @@ namespace pardel::checker {
 /// Loops with fewer iterations run on one thread, because waking the other threads takes longer than the loop.
 inline constexpr std::size_t parallel_loop_size = 1 << 13;
 
-/// Calls body(first, last, thread) for runs of indices that together are all indices below n, on all threads. Each
-/// thread takes consecutive runs of at most 1024 indices, in ascending order, and the threads are in order, too.
+/// The number of shares into which the loops below are divided. A thread that has done its share takes the next one, so
+/// a thread that other work of the machine holds up leaves more of them to the others.
+inline std::size_t share_count() { return 8 * static_cast<std::size_t>(omp_get_max_threads()); }
+
+/// Calls body(first, last, share) for runs of indices that together are all indices below n, on all threads. A share,
+/// from 0 to share_count() - 1, has consecutive runs of at most 1024 indices. One thread does them in ascending order,
+/// and the shares are in order, too.
 template <class Body>
 void for_each_run(std::size_t n, StopSignal* stop, const Body& body) {
   constexpr std::size_t run = 1024;  // as many steps as SparseAsk makes between two questions
+  const std::size_t runs = (n + run - 1) / run, shares = share_count();
   std::exception_ptr thrown;
 #pragma omp parallel if (n >= parallel_loop_size)
   {
-    const auto thread = static_cast<std::size_t>(omp_get_thread_num());
     bool stopped = false;
-#pragma omp for schedule(static)
-    for (std::size_t i = 0; i < (n + run - 1) / run; ++i) {
+#pragma omp for schedule(dynamic, 1)
+    for (std::size_t share = 0; share < shares; ++share) {
       if (stopped) continue;
       const std::exception_ptr mine = exception_of([&] {
-        if (stop != nullptr) stop->ask();
-        body(i * run, std::min(n, (i + 1) * run), thread);
+        for (std::size_t i = share * runs / shares; i < (share + 1) * runs / shares; ++i) {
+          if (stop != nullptr) stop->ask();
+          body(i * run, std::min(n, (i + 1) * run), share);
+        }
       });
       if (!mine) continue;
       stopped = true;
@@ -41,12 +48,12 @@ void for_each_run(std::size_t n, StopSignal* stop, const Body& body) {
   if (stop != nullptr && stop->stopped()) stop->ask();
 }
 
-/// Calls body(i, thread) for all i < n on all threads. Each thread takes one run of consecutive indices, and the runs
-/// have the order of the threads.
+/// Calls body(i, share) for all i < n on all threads. Each share, from 0 to share_count() - 1, has consecutive indices,
+/// which one thread takes in ascending order, and the shares are in order, too.
 template <class Body>
 void for_each_index(std::size_t n, StopSignal* stop, const Body& body) {
-  for_each_run(n, stop, [&](std::size_t first, std::size_t last, std::size_t thread) {
-    for (std::size_t i = first; i < last; ++i) body(i, thread);
+  for_each_run(n, stop, [&](std::size_t first, std::size_t last, std::size_t share) {
+    for (std::size_t i = first; i < last; ++i) body(i, share);
   });
 }
 

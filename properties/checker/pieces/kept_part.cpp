@@ -86,10 +86,10 @@ class PartMaker {
   }
 
   void list_triangles() {
-    std::vector<std::vector<KeptTriangle>> parts(static_cast<std::size_t>(omp_get_max_threads()));
-    for_each_index(mesh_.triangles.size(), nullptr, [&](std::size_t t, std::size_t thread) {
+    std::vector<std::vector<KeptTriangle>> parts(share_count());
+    for_each_index(mesh_.triangles.size(), nullptr, [&](std::size_t t, std::size_t share) {
       const auto& v = mesh_.triangles[t].v;
-      if ((why_[v[0]] | why_[v[1]] | why_[v[2]]) != 0) parts[thread].push_back({v, static_cast<Index>(t)});
+      if ((why_[v[0]] | why_[v[1]] | why_[v[2]]) != 0) parts[share].push_back({v, static_cast<Index>(t)});
     });
     for (const auto& part : parts) part_.triangles.insert(part_.triangles.end(), part.begin(), part.end());
     for (const KeptTriangle& triangle : part_.triangles)

@@ -232,12 +232,11 @@ void check_goal(const Subject& subject, const Domain& domain, const Adjacency& a
                 Findings& found, std::vector<Justified>& justified) {
   const bool trust_orientation = found.count(ViolationKind::degenerate_triangle) == 0;
   const GoalCheck goal(subject, domain, adjacency, chains, inputs, faces, wanted, trust_orientation);
-  // Each thread takes a range of consecutive triangles, so the joined list is ascending.
-  std::vector<std::vector<Justified>> parts(static_cast<std::size_t>(omp_get_max_threads()));
+  // The shares have consecutive triangles and are in order, so the joined list is ascending.
+  std::vector<std::vector<Justified>> parts(share_count());
   const std::vector<Index> open = scan.open_for(Test::angle, Test::area, Test::edge, Test::circumradius);
-  check_each(open.size(), found, [&](std::size_t i, Findings& mine) {
-    goal.check_open(open[i], mine, parts[static_cast<std::size_t>(omp_get_thread_num())]);
-  });
+  check_each(open.size(), found,
+             [&](std::size_t i, Findings& mine, std::size_t share) { goal.check_open(open[i], mine, parts[share]); });
   for (const auto& part : parts) justified.insert(justified.end(), part.begin(), part.end());
   const std::size_t triangles = adjacency.triangles().size();
   if (goal.has_places())

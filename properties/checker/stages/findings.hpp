@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "../model/stoppable.hpp"
@@ -53,13 +54,18 @@ class Findings {
   std::vector<Violation> kept_;
 };
 
-/// Calls check(i, findings) for all i < n on all threads. Each thread takes one run of consecutive indices, and the
-/// findings of the runs are joined in order, so the result does not depend on the number of threads. Throws Stopped if
-/// the search has to end.
+/// Calls check(i, findings), or check(i, findings, share), for all i < n on all threads, as for_each_index() does. The
+/// findings of the shares are joined in order, so the result does not depend on the number of threads. Throws Stopped
+/// if the search has to end.
 template <class Check>
 void check_each(std::size_t n, Findings& found, const Check& check) {
-  std::vector<Findings> parts(static_cast<std::size_t>(omp_get_max_threads()), Findings(found.limit()));
-  for_each_index(n, found.stop(), [&](std::size_t i, std::size_t thread) { check(i, parts[thread]); });
+  std::vector<Findings> parts(share_count(), Findings(found.limit()));
+  for_each_index(n, found.stop(), [&](std::size_t i, std::size_t share) {
+    if constexpr (std::is_invocable_v<Check, std::size_t, Findings&, std::size_t>)
+      check(i, parts[share], share);
+    else
+      check(i, parts[share]);
+  });
   for (Findings& part : parts) found.append(std::move(part));
 }
 
