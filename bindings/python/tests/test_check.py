@@ -96,7 +96,9 @@ def test_a_mesh_without_triangles_is_no_mesh(square):
                          ids=lambda bound: "_".join(bound))
 def test_each_bound_is_checked(square, bound):
     low = pardel.Domain([*square.points, (0.5, 0.05)], square.segments)
-    assert not pardel.check(low, pardel.mesh(low, max_area=0.1, min_angle=5), **bound)
+    coarse = pardel.mesh(low, max_area=0.1, min_angle=5)
+    assert pardel.check(low, coarse, min_angle=0)
+    assert not pardel.check(low, coarse, **{"min_angle": 0, **bound})
 
 
 def test_areas_of_regions_are_checked(square):

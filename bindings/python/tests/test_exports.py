@@ -57,6 +57,25 @@ def test_meshio_gets_the_fields_of_a_file(tmp_path):
     assert again.cell_data["flow"][0].tolist() == [[1, 2, 3], [4, 5, 6]]
 
 
+def test_fields_of_triangles_have_no_values_on_lines(tmp_path):
+    meshio = pytest.importorskip("meshio")
+    cells = [("triangle", [(0, 1, 2), (0, 2, 3)]), ("line", [(0, 1), (1, 2), (2, 3), (3, 0)])]
+    meshio.Mesh([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], cells,
+                cell_data={"flow": [[1.0, 2.0], [3.0, 4.0, 5.0, 6.0]]}).write(tmp_path / "in.vtu")
+    again = pardel.read(tmp_path / "in.vtu").to_meshio()
+    assert [block.type for block in again.cells] == ["triangle", "line"]
+    assert again.cell_data["flow"][0].tolist() == [1, 2] and np.isnan(again.cell_data["flow"][1]).all()
+
+
+def test_triangles_in_no_region_have_the_attribute_0_for_meshio():
+    pytest.importorskip("meshio")
+    points = [(0, 0), (1, 0), (2, 0), (2, 1), (1, 1), (0, 1)]
+    mesh = pardel.mesh(points, [(0, 1), (1, 2), (2, 3), (3, 4), (4, 5), (5, 0), (1, 4)], regions=[(0.5, 0.5, 10, 0)])
+    region = mesh.to_meshio().cell_data["region"][0]
+    assert np.array_equal(region == 10, mesh.points[mesh.triangles][:, :, 0].mean(axis=1) < 1)
+    assert set(region) == {0, 10}
+
+
 def test_a_mesh_without_segments_has_no_lines_for_meshio():
     pytest.importorskip("meshio")
     mesh = pardel.Mesh([(0, 0), (1, 0), (0, 1)], [(0, 1, 2)])

@@ -129,6 +129,7 @@ WRONG_RASTERS = {
     "an endless extent": (([[1]], (0, np.inf, 0, 1)), {}, "4 finite numbers are needed"),
     "a flat extent": (([[1]], (0, 1, 1, 1)), {}, "each has to be an interval"),
     "a rotation": (([[1]],), dict(transform=(1, 0.1, 0, 0, -1, 1)), "b = d = 0"),
+    "another rotation": (([[1]],), dict(transform=(1, 0, 0, 0.1, -1, 1)), "b = d = 0"),
     "rows to the north": (([[1]],), dict(transform=(1, 0, 0, 0, 1, 1)), "rows to the south"),
 }
 

@@ -26,9 +26,9 @@ def test_lengths_grow_from_points_by_the_grading(points, grading):
 
 
 def test_a_mesh_that_is_too_coarse_at_a_source_is_found():
-    coarse = pardel.mesh(UNIT)
-    found = pardel.check(UNIT, coarse, sources=[(0.5, 0.5, 0.01)], grading=0.2)
-    assert not found.valid
+    coarse = pardel.mesh(UNIT, grading=0.2)
+    assert pardel.check(UNIT, coarse, grading=0.2)
+    assert not pardel.check(UNIT, coarse, sources=[(0.5, 0.5, 0.01)], grading=0.2)
 
 
 def finest_at(mesh):
