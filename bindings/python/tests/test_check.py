@@ -90,6 +90,18 @@ def test_a_mesh_without_triangles_is_no_mesh(square):
     assert not pardel.check(square, (square.points, []))
 
 
+def test_the_corners_of_triangles_with_six_nodes_are_checked(square):
+    class Block:
+        type, data = "triangle6", [(0, 1, 2, 4, 5, 6), (0, 2, 3, 6, 7, 8)]
+
+    class Foreign:
+        points = [*square.points, (0.5, 0), (1, 0.5), (0.5, 0.5), (0.5, 1), (0, 0.5)]
+        cells = [Block]
+
+    found = pardel.check(square, Foreign)
+    assert found.triangles == 2 and "area_mismatch" not in found.violation_counts
+
+
 @pytest.mark.parametrize("bound", [dict(max_area=1e-3), dict(max_edge=0.05), dict(max_circumradius=0.01),
                                    dict(size=lambda x, y: 0.05), dict(min_angle=30.0), dict(grading=0.01),
                                    dict(size=[0.01, 1, 1, 1, 1]), dict(feature_size=20)],

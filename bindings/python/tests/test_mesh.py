@@ -241,3 +241,11 @@ def test_the_convex_hull_goes_counter_clockwise_around_all_points(random_points)
     for point in random_points:
         towards = point - hull
         assert np.all(ahead[:, 0] * towards[:, 1] - ahead[:, 1] * towards[:, 0] >= -1e-15)
+
+
+def test_an_exempt_triangle_names_the_small_angle_of_the_domain():
+    sharp = pardel.mesh([(4, 0.2), (0, 0), (4, 0)], [(0, 1), (1, 2), (2, 0)], min_angle=30, max_area=0.01)
+    assert {each.triangle for each in sharp.report.exempt} - {1}
+    for each in sharp.report.exempt:
+        assert each.apex == 1 and each.angle == pytest.approx(np.degrees(np.arctan2(0.2, 4)))
+        assert each.reason in ("nestled", "seditious")
