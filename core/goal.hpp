@@ -6,6 +6,7 @@
 #include <array>
 #include <functional>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "pslg.hpp"
@@ -36,6 +37,11 @@ struct Goal {
   /// throws anything else, or returns a number that is not positive, the mesher returns a `usage` error that names the
   /// point. The error is the same for any number of threads.
   std::function<double(Point)> size{};
+  /// Announces places about which `size` will be asked soon, a few at a time: for a `size` that is computed faster for
+  /// many places at once, and that keeps the values until then. `size` is also asked about other places, and not about
+  /// all that were announced. Called by the thread that will ask. Its exceptions end the run as those of `size` do.
+  /// Ignored without `size`. Empty: nothing is announced.
+  std::function<void(std::span<const Point>)> before_sizes{};
   /// A promise about `size`: its values at two points differ by at most this number times their distance, up to
   /// rounding; infinity: nothing is promised. A number up to 0.5 makes graded meshes faster and changes no triangle,
   /// because the size at a new vertex then decides about most of its triangles. If `size` breaks the promise, triangles

@@ -54,6 +54,7 @@ Criteria::Criteria(const Goal& goal, Placement placement, std::vector<double> re
       twice_region_cap_(std::move(region_caps)),
       size_(local_bound(goal.size, goal.size_slope)),
       area_cap_(local_bound(std::move(area_cap))),
+      before_sizes_(goal.size ? goal.before_sizes : nullptr),
       user_test_(goal.user_test),
       looks_around_(size_ && size_.steepness().slope < most_slope),
       has_local_size_(goal.max_edge < INFINITY || size_ || area_cap_ || user_test_ ||

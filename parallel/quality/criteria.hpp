@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -67,6 +68,10 @@ class Criteria {
     LocalHints none;
     return too_large_locally(s, s.p[0], s.p[1], s.p[2], region, none);
   }
+  /// True if announce() does something.
+  [[nodiscard]] bool announces_places() const { return static_cast<bool>(before_sizes_); }
+  /// Announces the centroids of triangles that will be examined (Goal::before_sizes).
+  void announce(std::span<const Point> centroids) const { before_sizes_(centroids); }
   /// Prepares for triangles whose first corner is p. It changes no answer.
   void look_around(Point p, LocalHints& hints) const {
     if (looks_around_) hints.around = size_around(p, hints);
@@ -169,6 +174,7 @@ class Criteria {
   std::vector<double> twice_region_cap_;
   std::vector<double> length_of_pieces_;  ///< empty: segments are halved
   LocalBound size_, area_cap_;
+  std::function<void(std::span<const Point>)> before_sizes_;
   UserTest user_test_;
   bool looks_around_;  ///< the size changes slowly, so the size at a corner mostly decides about a triangle
   bool has_local_size_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <vector>
 
 #include "../triangulation/triangle_shape.hpp"
 #include "criteria.hpp"
@@ -39,6 +40,16 @@ void visit_parts(const Shape& whole, int divisions, const Visit& visit) {
       visit(Shape(at(i, j), at(i + 1, j), at(i, j + 1)));
       if (i + j + 1 < n) visit(Shape(at(i + 1, j + 1), at(i, j + 1), at(i + 1, j)));
     }
+}
+
+/// Announces the centroids of the parts of the triangles from `first` to before `last`, of which each has 4^divisions
+/// parts. Precondition: criteria.announces_places().
+inline void announce_parts(const Criteria& criteria, const Triangulation& t, std::size_t first, std::size_t last,
+                           int divisions) {
+  std::vector<Point> places;
+  for (std::size_t id = first; id < last; ++id)
+    visit_parts(Shape(t, t.slots[id]), divisions, [&](const Shape& part) { places.push_back(part.centroid()); });
+  criteria.announce(places);
 }
 
 }  // namespace pardel::engine

@@ -56,6 +56,20 @@ Assessment Assessor::assess_at_constraint(TriangleId id, const Measure& m, Local
   return result;
 }
 
+/// The corners have another order in split_point(), so its centroid may be rounded to another place.
+void Assessor::announce(std::span<const TriangleId> triangles, std::span<const Measure> measures) const {
+  std::vector<Point> places;
+  places.reserve(2 * triangles.size());
+  for (std::size_t k = 0; k < triangles.size(); ++k) {
+    const auto& v = t_.slots[triangles[k]].v;
+    const unsigned apex = measures[k].shortest_side(), from = next_corner[apex], to = previous_corner[apex];
+    places.push_back(centroid_of(t_.points[v[0]], t_.points[v[1]], t_.points[v[2]]));
+    const Point split = centroid_of(t_.points[v[from]], t_.points[v[to]], t_.points[v[apex]]);
+    if (split != places.back()) places.push_back(split);
+  }
+  criteria_.announce(places);
+}
+
 bool Assessor::breaks_goal(TriangleId id, LocalHints& hints) const {
   const Shape shape(t_, t_.slots[id]);
   return criteria_.bad_shape(shape) || too_large(id, shape, hints) || non_delaunay_side(id) < 3;

@@ -3,6 +3,7 @@
 
 #include <cassert>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "../arithmetic/box.hpp"
@@ -70,6 +71,9 @@ class Assessor {
   [[nodiscard]] bool searches() const { return criteria_.searches(); }
   /// Prepares for triangles whose first corner is v. It changes no result.
   void look_around(VertexId v, LocalHints& hints) const { criteria_.look_around(t_.points[v], hints); }
+  [[nodiscard]] bool announces_places() const { return criteria_.announces_places(); }
+  /// Announces where the sizes of triangles will be asked for. Precondition: announces_places().
+  void announce(std::span<const TriangleId> triangles, std::span<const Measure> measures) const;
   /// True if the triangle breaks the criteria, even if an exemption justifies this.
   [[nodiscard]] bool breaks_goal(TriangleId id, LocalHints& hints) const;
   [[nodiscard]] bool breaks_goal(TriangleId id) const {

@@ -91,6 +91,8 @@ void Task::consider_changed() {
     return;
   }
   if (insertion_.may_touch_constraint() || assessor_.has_local_size()) {
+    if (assessor_.announces_places()) [[unlikely]]
+      assessor_.announce(changed, measures);
     assessor_.look_around(t_.slots[changed.front()].v[0], hints_);
     for (std::size_t i = 0; i < changed.size(); ++i)
       queue_if_bad(changed[i], assessor_.assess(changed[i], measures[i], hints_), measures[i]);

@@ -14,6 +14,9 @@ namespace {
 /// The least number of triangles by which the bound on angles replaces one triangle of the input.
 constexpr double triangles_per_input_triangle = 1.7;
 
+/// So many triangles are announced at once. A few triangles have thousands of parts in all (divisions_for()).
+constexpr std::size_t announced_at_once = 1024;
+
 }  // namespace
 
 InitialAssessment assess_all(const Triangulation& t, const Criteria& criteria, const Assessor& assessor,
@@ -27,6 +30,8 @@ InitialAssessment assess_all(const Triangulation& t, const Criteria& criteria, c
   parallel_blocks(threads, count, [&](std::size_t first, std::size_t last, std::size_t block) {
     LocalHints hints;
     for (std::size_t id = first; id < last; ++id) {
+      if (criteria.announces_places() && (id - first) % announced_at_once == 0)
+        announce_parts(criteria, t, id, std::min(id + announced_at_once, last), divisions);
       const auto triangle = static_cast<TriangleId>(id);
       if (is_counted && !is_counted(triangle)) continue;
       const Shape shape(t, t.slots[triangle]);

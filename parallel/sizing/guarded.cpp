@@ -3,6 +3,7 @@
 #include <array>
 #include <exception>
 #include <new>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -45,6 +46,10 @@ UserTest guarded_test(UserTest test) {
 
 Goal guarded(Goal goal) {
   if (goal.user_test) goal.user_test = guarded_test(std::move(goal.user_test));
+  if (goal.before_sizes)
+    goal.before_sizes = [before = std::move(goal.before_sizes)](std::span<const Point> places) {
+      guarded_call([&] { before(places); }, [] { return std::string("Goal::before_sizes"); });
+    };
   if (!goal.size || goal.size.target<OnBackground<PointValues>>() != nullptr ||
       goal.size.target<RasterSize>() != nullptr)
     return goal;

@@ -58,9 +58,10 @@ def mesh(points: DomainLike, segments: Optional[npt.ArrayLike] = None, *, holes:
         or a `Raster`, its values with their extent or transform as a tuple, or the path of an .asc or .npy;
         or a function of an array of places, shape (k, 2), that returns k lengths;
         or a function of two numbers x and y that returns a length.
-        A function must be pure. The mesher asks for one place at a time (k is 1), about three times per triangle, and
-        works on one thread, because Python does. A simple function of x and y costs about 0.2 microseconds each time,
-        one of arrays 3 or more. Lengths at points, also of a coarse mesh, cost less and are for all threads.
+        A function must be pure: what it returns for a place depends on nothing else. The mesher asks about three
+        times per triangle, and works on one thread, because Python does. Arrays have the places of one insertion (k is
+        mostly 4 to 10), so functions of x and y cost less. Lengths at points, also of a coarse mesh, cost least and
+        are for all threads.
       refine_if: a function of the corners of a triangle, shape (3, 2), and its area. Triangles for which it returns
         True are refined. It must be pure, and is asked about each triangle that the mesher makes, and about reduced
         copies of some. The corners are counter-clockwise, from that with the least x. If it is True for every triangle,

@@ -46,11 +46,17 @@ std::unique_ptr<SizeFunction> function_of(const Sizes& sizes, Call& call, bool i
   return std::make_unique<SizeFunction>(sizes.function, sizes.takes, call, is_asked_by_one_thread);
 }
 
-Goal with_sizes(Goal goal, const Sizes& sizes, const SizeFunction* function, const ValidPslg* domain,
+Goal with_sizes(Goal goal, const Sizes& sizes, SizeFunction* function, const ValidPslg* domain,
                 const Options& options) {
   const bool limits_gradation = std::isfinite(goal.grading);
   if (function != nullptr) {
-    goal.size = [function](Point place) { return function->at(place); };
+    if (function->wants_announcements()) {
+      function->expect_announcements();
+      goal.before_sizes = [function](std::span<const Point> places) { function->announce(places); };
+      goal.size = [function](Point place) { return function->at_announced(place); };
+    } else {
+      goal.size = [function](Point place) { return function->at(place); };
+    }
   } else if (sizes.mesh) {
     const Mesh& mesh = sizes.mesh->usable();
     goal.size = value_of(interpolated_size(mesh, sizes.lengths, options));

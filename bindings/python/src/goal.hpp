@@ -32,7 +32,7 @@ struct Sizes {
 
 /// The goal with these sizes. Without the interpreter lock. `domain`: null if the sizes are not at its points.
 /// Throws Failure. `function`: that of the sizes, or null; it has to outlive the goal.
-[[nodiscard]] Goal with_sizes(Goal goal, const Sizes& sizes, const SizeFunction* function, const ValidPslg* domain,
+[[nodiscard]] Goal with_sizes(Goal goal, const Sizes& sizes, SizeFunction* function, const ValidPslg* domain,
                               const Options& options);
 
 }  // namespace pardel::python

@@ -1,6 +1,9 @@
 #include "size_function.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
 #include <string>
 
 #include "../../../core/support/point_order.hpp"
@@ -11,6 +14,7 @@ namespace pardel::python {
 namespace {
 
 constexpr std::size_t places_at_once = 65'536;
+constexpr int table_bits = 16;
 
 /// As the checker computes it (properties/checker/check.hpp).
 Point centroid(const Mesh& mesh, const Triangle& triangle) {
@@ -26,6 +30,29 @@ double number_of(const py::object& value) {
 
 }  // namespace
 
+std::size_t SizeFunction::place_in_table(Point place) {
+  const auto x = std::bit_cast<std::uint64_t>(place.x), y = std::bit_cast<std::uint64_t>(place.y);
+  return ((x * 0x9e3779b97f4a7c15 ^ y) * 0xd6e8feb86659fd93) >> (64 - table_bits);
+}
+
+void SizeFunction::expect_announcements() { announced_.resize(std::size_t{1} << table_bits, {{NAN, NAN}, NAN}); }
+
+void SizeFunction::announce(std::span<const Point> places) {
+  call_.hold_lock();
+  try {
+    py::array_t<double> array({static_cast<py::ssize_t>(places.size()), py::ssize_t{2}});
+    double* row = array.mutable_data();
+    for (const Point place : places) {
+      *row++ = place.x;
+      *row++ = place.y;
+    }
+    const py::array_t<double> lengths = call_with_array(array);
+    for (std::size_t k = 0; k < places.size(); ++k) remember(places[k], lengths.data()[k]);
+  } catch (...) {
+    throw call_.keep_exception();
+  }
+}
+
 double SizeFunction::at(Point place) const {
   const auto known = std::lower_bound(known_.begin(), known_.end(), place,
                                       [](const Known& each, Point p) { return lexicographically_less(each.place, p); });
@@ -36,6 +63,14 @@ double SizeFunction::at(Point place) const {
   }
   const py::gil_scoped_acquire acquired;
   return call_at(place);
+}
+
+double SizeFunction::at_announced(Point place) {
+  const Known& here = announced_[place_in_table(place)];
+  if (here.place == place) return here.length;
+  const double length = at(place);
+  remember(place, length);
+  return length;
 }
 
 double SizeFunction::call_at(Point place) const {

@@ -8,6 +8,7 @@
 #include <pardel/core/mesh.hpp>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "call.hpp"
 
@@ -28,6 +29,14 @@ class SizeFunction {
   /// Takes the interpreter lock. Thread-safe.
   [[nodiscard]] double at(Point place) const;
 
+  /// For a function of arrays that one thread asks: call expect_announcements(), then announce() with places before
+  /// at_announced() is asked about them. announce() calls the function with all of them at once. The values are kept
+  /// until places that are announced later take their memory.
+  [[nodiscard]] bool wants_announcements() const { return takes_ == Takes::arrays && asked_by_one_; }
+  void expect_announcements();
+  void announce(std::span<const Point> places);
+  [[nodiscard]] double at_announced(Point place);
+
   /// Calls the function with the centroids of all triangles, where the checker needs its values: so an array function
   /// is called with many places at once. Afterwards at() knows these values. Takes the interpreter lock.
   /// Precondition: corners are in range.
@@ -39,6 +48,8 @@ class SizeFunction {
     double length;
   };
 
+  [[nodiscard]] static std::size_t place_in_table(Point place);
+  void remember(Point place, double length) { announced_[place_in_table(place)] = {place, length}; }
   [[nodiscard]] double call_at(Point place) const;
   [[nodiscard]] double call_with_numbers(Point place) const;
   /// The lengths at the places of an array of shape (n, 2).
@@ -49,7 +60,8 @@ class SizeFunction {
   Takes takes_;
   Call& call_;
   bool asked_by_one_;
-  Array<Known> known_{};  ///< sorted by place
+  Array<Known> known_{};          ///< sorted by place
+  std::vector<Known> announced_;  ///< each at its place_in_table(), which others may take
 };
 
 }  // namespace pardel::python

@@ -34,10 +34,19 @@ def test_both_kinds_of_functions_make_the_same_mesh(square):
     assert pardel.mesh(square, size=lengths_at).digest == pardel.mesh(square, size=lambda x, y: 0.02 + 0.1 * x).digest
 
 
-def test_a_function_of_arrays_gets_places_of_shape_n_2(square):
-    shapes = set()
-    pardel.mesh(square, size=lambda places: shapes.add(places.shape) or np.full(len(places), 0.2))
-    assert shapes == {(1, 2)}
+def test_a_function_of_arrays_gets_places_of_shape_n_2_and_few_of_them_alone(square):
+    shapes, places_of_numbers = [], []
+    pardel.mesh(square, size=lambda places: shapes.append(places.shape) or lengths_at(places))
+    pardel.mesh(square, size=lambda x, y: places_of_numbers.append((x, y)) or 0.02 + 0.1 * x)
+    assert {shape[1:] for shape in shapes} == {(2,)}
+    assert len(shapes) < len(places_of_numbers) / 5
+    assert sum(shape[0] for shape in shapes) < 1.5 * len(places_of_numbers)
+
+
+@pytest.mark.parametrize("options", [dict(grading=0.2), dict(max_edge=0.05), dict(conforming=True), dict(threads=2)])
+def test_a_function_of_arrays_makes_the_mesh_of_one_of_numbers_with_other_bounds(plate, options):
+    by_arrays = pardel.mesh(plate, size=lengths_at, **options)
+    assert by_arrays.digest == pardel.mesh(plate, size=lambda x, y: 0.02 + 0.1 * x, **options).digest
 
 
 def test_the_checker_asks_for_many_places_at_once(square):
@@ -147,7 +156,7 @@ def test_lengths_that_are_no_numbers_are_a_type_error(square):
 
 
 def test_a_wrong_number_of_lengths_is_a_value_error(square):
-    with pytest.raises(ValueError, match=r"size returned an array of shape \(3,\) for 1 place"):
+    with pytest.raises(ValueError, match=r"size returned an array of shape \(3,\) for [0-9]+ places"):
         pardel.mesh(square, size=lambda places: np.ones(3))
 
 

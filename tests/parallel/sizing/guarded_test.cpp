@@ -4,9 +4,15 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <mutex>
 #include <new>
+#include <set>
+#include <span>
 #include <stdexcept>
 #include <string>
+#include <thread>
+#include <tuple>
+#include <utility>
 
 #include "../../../core/digest.hpp"
 #include "../../../parallel/mesher.hpp"
@@ -55,6 +61,66 @@ TEST(SizeFunction, that_returns_no_length_is_an_error_that_names_the_point_and_t
     EXPECT_NE(message.find(text), std::string::npos) << message;
     EXPECT_TRUE(in_a_disk(named_point(message))) << message;
   }
+}
+
+/// Counts the places of a size that had been announced, among those that it is asked about.
+struct Announcements {
+  std::set<std::pair<double, double>> announced{};
+  std::size_t calls = 0, asked = 0, known = 0;
+
+  [[nodiscard]] Goal goal() {
+    Goal goal;
+    goal.size = [this](Point p) {
+      ++asked;
+      if (announced.contains({p.x, p.y})) ++known;
+      return 0.01 + 0.05 * p.x;
+    };
+    goal.before_sizes = [this](std::span<const Point> places) {
+      ++calls;
+      for (const Point p : places) announced.insert({p.x, p.y});
+    };
+    return goal;
+  }
+};
+
+TEST(SizeFunction, is_asked_about_places_that_were_announced_and_the_mesh_is_the_same) {
+  for (const double grading : {HUGE_VAL, 0.2}) {
+    Announcements count;
+    Goal goal = count.goal();
+    goal.grading = grading;
+    const Result<Meshed> announced = mesh(domains::square(), goal, {.threads = 1});
+    EXPECT_GT(count.known, count.asked - count.asked / 20);
+    EXPECT_LT(count.calls, count.asked / 4);
+    goal.before_sizes = nullptr;
+    const Result<Meshed> usual = mesh(domains::square(), goal, {.threads = 1});
+    ASSERT_TRUE(announced && usual);
+    EXPECT_EQ(announced->mesh, usual->mesh);
+  }
+}
+
+TEST(SizeFunction, is_announced_by_the_threads_that_ask) {
+  std::mutex one_at_a_time;
+  std::set<std::tuple<std::thread::id, double, double>> announced;
+  std::size_t asked = 0, known = 0;
+  Goal goal;
+  goal.size = [&](Point p) {
+    const std::scoped_lock lock(one_at_a_time);
+    ++asked;
+    if (announced.contains({std::this_thread::get_id(), p.x, p.y})) ++known;
+    return 0.01;
+  };
+  goal.before_sizes = [&](std::span<const Point> places) {
+    const std::scoped_lock lock(one_at_a_time);
+    for (const Point p : places) announced.insert({std::this_thread::get_id(), p.x, p.y});
+  };
+  ASSERT_TRUE(mesh(domains::square(), goal, {.threads = 3}));
+  EXPECT_GT(known, asked - asked / 5) << "a task has splits in triangles that other threads announced";
+}
+
+TEST(SizeFunction, whose_announcement_throws_is_an_error_with_the_exception) {
+  Goal goal{.size = [](Point) { return 0.1; }};
+  goal.before_sizes = [](std::span<const Point>) { throw std::runtime_error("no data"); };
+  EXPECT_EQ(error_of(domains::square(), goal), "Goal::before_sizes threw an exception: no data");
 }
 
 TEST(SizeFunction, that_throws_is_an_error_that_names_the_point_and_the_exception) {
