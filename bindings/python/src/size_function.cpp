@@ -4,9 +4,11 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <string>
 
 #include "../../../core/support/point_order.hpp"
+#include "arrays.hpp"
 
 namespace py = pybind11;
 
@@ -22,10 +24,35 @@ Point centroid(const Mesh& mesh, const Triangle& triangle) {
   return {(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3};
 }
 
+/// "size returned 'long', a str; it must return " and what is needed.
+std::string wrong_type(const py::object& returned, const char* needed) {
+  constexpr std::size_t longest = 60;
+  std::string text = py::repr(returned);
+  if (text.size() > longest) text = text.substr(0, longest) + "...";
+  if (!returned.is_none()) text += ", a " + std::string(py::str(py::type::of(returned).attr("__name__")));
+  return "size returned " + text + "; it must return " + needed;
+}
+
 double number_of(const py::object& value) {
   const double number = PyFloat_AsDouble(value.ptr());
-  if (number == -1 && PyErr_Occurred() != nullptr) throw py::error_already_set();
-  return number;
+  if (number != -1 || PyErr_Occurred() == nullptr) return number;
+  py::error_already_set thrown;
+  if (thrown.matches(PyExc_TypeError)) {
+    py::raise_from(thrown, PyExc_TypeError, wrong_type(value, "a number greater than 0").c_str());
+    throw py::error_already_set();
+  }
+  throw thrown;
+}
+
+/// Text is no number, although NumPy would read it; nor are complex numbers, or dates.
+bool may_be_numbers(const py::array& array) { return std::strchr("biufO", array.dtype().kind()) != nullptr; }
+
+/// The numbers that a function of arrays returned.
+Numbers numbers_in(const py::object& returned) {
+  const auto array = py::array::ensure(returned);  // clears the error
+  if (array && !returned.is_none() && may_be_numbers(array))
+    if (auto numbers = Numbers::ensure(array)) return numbers;
+  throw py::type_error(wrong_type(returned, "numbers greater than 0, one per place"));
 }
 
 }  // namespace
@@ -95,12 +122,7 @@ py::array_t<double> SizeFunction::call_with_array(const py::array_t<double>& pla
     std::fill_n(lengths.mutable_data(), count, number_of(returned));
     return lengths;
   }
-  auto given = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(returned);
-  if (!given) {
-    PyErr_Clear();
-    throw py::type_error("size returned " + std::string(py::repr(py::type::of(returned))) +
-                         "; it must return numbers, one per place");
-  }
+  const auto given = numbers_in(returned);
   if (given.ndim() == 0)
     std::fill_n(lengths.mutable_data(), count, *given.data());
   else if (given.ndim() == 1 && given.shape(0) == count)

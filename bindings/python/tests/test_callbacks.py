@@ -145,14 +145,47 @@ def test_the_mesher_works_after_an_exception_of_a_function(square):
     assert pardel.mesh(square, size=lambda x, y: 0.2).report.goal_met
 
 
-def test_a_length_that_is_no_number_is_a_type_error(square):
-    with pytest.raises(TypeError, match="must be real number, not str"):
-        pardel.mesh(square, size=lambda x, y: "long")
+class WithoutNumber:
+    def __repr__(self):
+        return "W" * 100
 
 
-def test_lengths_that_are_no_numbers_are_a_type_error(square):
-    with pytest.raises(TypeError, match="size returned .*; it must return numbers"):
-        pardel.mesh(square, size=lambda places: ["long"])
+@pytest.mark.parametrize("length, text", [
+    (None, "None"), ("long", "'long', a str"), (1j, "1j, a complex"), ((1, 2), r"\(1, 2\), a tuple"),
+    (np.ones(2), r"array\(\[1., 1.\]\), a ndarray"), (WithoutNumber(), r"W{60}\.\.\., a WithoutNumber"),
+])
+def test_a_length_that_is_no_number_is_a_type_error_that_shows_it(square, length, text):
+    expected = f"^size returned {text}; it must return a number greater than 0$"
+    for run in (pardel.mesh, lambda domain, size: pardel.check(domain, pardel.mesh(domain), size=size)):
+        with pytest.raises(TypeError, match=expected):
+            run(square, size=lambda x, y: length)
+
+
+@pytest.mark.parametrize("lengths, text", [
+    (None, "None"), (["long"], r"\['long'\], a list"), ("0.1", "'0.1', a str"), ({}, "{}, a dict"),
+    (np.array([1j]), r"array\(\[0.\+1.j\]\), a ndarray"), ([[1], [1, 2]], r"\[\[1\], \[1, 2\]\], a list"),
+])
+def test_lengths_that_are_no_numbers_are_a_type_error_that_shows_them(square, lengths, text):
+    expected = f"^size returned {text}; it must return numbers greater than 0, one per place$"
+    for run in (pardel.mesh, lambda domain, size: pardel.check(domain, pardel.mesh(domain), size=size)):
+        with pytest.raises(TypeError, match=expected):
+            run(square, size=lambda places: lengths)
+
+
+def test_an_exception_in_the_number_that_was_returned_comes_back_as_itself(square):
+    class Number:
+        def __float__(self):
+            raise Own("from the number")
+
+    with pytest.raises(Own, match="from the number"):
+        pardel.mesh(square, size=lambda x, y: Number())
+
+
+def test_lengths_may_be_numbers_of_any_kind(square):
+    from fractions import Fraction
+
+    whole, usual = (pardel.mesh(square, size=size).digest for size in (lambda x, y: 1, lambda x, y: 1.0))
+    assert whole == usual == pardel.mesh(square, size=lambda places: [Fraction(1)] * len(places)).digest
 
 
 def test_a_wrong_number_of_lengths_is_a_value_error(square):
