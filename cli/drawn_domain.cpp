@@ -1,8 +1,41 @@
 #include "drawn_domain.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace pardel::cli {
+namespace {
+
+enum class Side { inside, outside, near };
+
+/// Counts the sides of the outline to the right of p.
+Side side_of(std::span<const Point> outline, Point p) {
+  constexpr long double rounding = 1e-15L;
+  bool is_inside = false;
+  for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
+    const Point a = outline[j], b = outline[i];
+    if (p.y < std::min(a.y, b.y) || p.y > std::max(a.y, b.y)) continue;
+    const long double ax = a.x, ay = a.y, px = p.x, py = p.y;
+    const long double left = (b.x - ax) * (py - ay), right = (b.y - ay) * (px - ax);
+    if (p.x >= std::min(a.x, b.x) && p.x <= std::max(a.x, b.x) &&
+        std::abs(left - right) <= rounding * (std::abs(left) + std::abs(right)))
+      return Side::near;
+    if ((a.y > p.y) != (b.y > p.y) && (left - right > 0) == (b.y > a.y)) is_inside = !is_inside;
+  }
+  return is_inside ? Side::inside : Side::outside;
+}
+
+}  // namespace
+
+bool lies_outside(std::span<const Point> hole, std::span<const Point> outline) {
+  bool is_outside = false;
+  for (const Point p : hole) {
+    const Side side = side_of(outline, p);
+    if (side == Side::inside) return false;
+    is_outside = is_outside || side == Side::outside;
+  }
+  return is_outside;
+}
 
 void Drawing::add_point(Point p, const ShapeProperties& properties) {
   static_cast<void>(index_of(p));

@@ -29,6 +29,10 @@ struct DrawnDomain {
   std::vector<SizeSource> sources{};  ///< the points, lines and borders of polygons that have a length
 };
 
+/// True if a hole is not in the outline of its polygon: one of its points lies outside, and none lies inside. Points
+/// that lie on a side, up to rounding, do not count. O(n) if the first point lies inside, else O(n m).
+[[nodiscard]] bool lies_outside(std::span<const Point> hole, std::span<const Point> outline);
+
 /// What is known about a shape. `marker`: of its segments; 0: none. The others: as in DrawnPolygon.
 struct ShapeProperties {
   int marker = 0;

@@ -37,13 +37,17 @@ struct WrongFile {
   std::string message;
 };
 
+[[noreturn]] void fail_with(const Place& place, const std::string& expected, const std::string& found) {
+  const std::string where = place.text();
+  throw WrongFile{fmt::format("{}{}expected {}, found {}", where, where.empty() ? "" : ": ", expected, found)};
+}
+
 [[noreturn]] void fail(const Place& place, const std::string& expected, const json& found) {
   constexpr std::size_t longest = 40;
   std::string text = found.is_structured() ? std::string(found.type_name())
                                            : found.dump(-1, ' ', true, json::error_handler_t::replace);
   if (text.size() > longest) text = text.substr(0, longest) + "...";
-  const std::string where = place.text();
-  throw WrongFile{fmt::format("{}{}expected {}, found {}", where, where.empty() ? "" : ": ", expected, text)};
+  fail_with(place, expected, text);
 }
 
 /// The value of a key; null if the object lacks it.
@@ -164,6 +168,8 @@ class Shapes {
       if (!(ring.front() == ring.back()))
         fail(ring_place[ring.size() - 1], "the first position of the ring, which closes it", positions.back());
       ring.pop_back();
+      if (!open.empty() && lies_outside(ring, open.front()))
+        fail_with(ring_place, "a hole inside the first ring of the polygon", "a ring outside it");
       open.push_back(std::move(ring));
     });
     drawing_.add_polygon(std::move(open), properties);

@@ -32,11 +32,11 @@ const Field* field_of_sizes(const Mesh& mesh) {
 }
 
 /// The first attribute of each point or, if points have no attributes, the first value of field_of_sizes().
-std::vector<double> sizes_at_points(const Mesh& mesh) {
+PointSizes values_at_points(const Mesh& mesh) {
   const Field* field = mesh.attributes_per_point > 0 ? nullptr : field_of_sizes(mesh);
   const std::span<const double> values = (field != nullptr ? field->values : mesh.point_attributes).span();
   const std::size_t width = field != nullptr ? field->components : mesh.attributes_per_point;
-  std::vector<double> sizes;
+  PointSizes sizes;
   for (std::size_t i = 0; i < mesh.points.size(); ++i) sizes.push_back(values[i * width]);
   return sizes;
 }
@@ -62,22 +62,9 @@ Size function_of(const Raster& raster, const std::string& name, const ValidPslg&
 }
 
 Size function_of(const Mesh& background, const std::string& name, const ValidPslg&, const NumbersInFile&) {
-  if (background.attributes_per_point == 0 && field_of_sizes(background) == nullptr) {
-    return Error{
-        ErrorKind::invalid_input,
-        fmt::format("{}: the mesh has no values at its points that could be edge lengths (in a .vtu or .vtk a point "
-                    "array such as 'size' or 'attributes', in a .msh $NodeData, in a .node the first "
-                    "attribute)",
-                    name)};
-  }
-  const std::vector<double> sizes = sizes_at_points(background);
-  if (const auto none = std::ranges::find_if(sizes, [](double size) { return std::isnan(size); });
-      none != sizes.end()) {
-    return Error{ErrorKind::invalid_input,
-                 fmt::format("{}: point {} has no value that could be an edge length", name,
-                             number_in_file(background, static_cast<Index>(none - sizes.begin())))};
-  }
-  Size size = interpolated_size(background, sizes, {}, name);
+  const Result<PointSizes> sizes = sizes_at_points(background, name);
+  if (!sizes) return sizes.error();
+  Size size = interpolated_size(background, *sizes, {}, name);
   if (!size) return Error{size.error().kind, name + ": " + size.error().message};
   return size;
 }
@@ -91,7 +78,7 @@ Sources sources_in(const PointSizes& sizes, const ValidPslg& domain, double grad
 }
 Sources sources_in(const Raster& raster, const ValidPslg&, double grading) { return size_sources(raster, grading); }
 Sources sources_in(const Mesh& background, const ValidPslg&, double grading) {
-  return size_sources(background, sizes_at_points(background), grading);
+  return size_sources(background, values_at_points(background), grading);
 }
 Sources sources_in(std::monostate, const ValidPslg&, double) { return std::vector<SizeSource>(); }
 
@@ -108,6 +95,24 @@ Result<SizeField> read_size_field(const std::filesystem::path& file) {
   if (suffix == ".asc" || suffix == ".npy") return field(read_raster(file));
   if (const auto format = mesh_format(file); format && format != MeshFormat::svg) return field(read_mesh(file));
   return field(read_sizes(file));
+}
+
+Result<PointSizes> sizes_at_points(const Mesh& mesh, const std::string& name) {
+  if (mesh.attributes_per_point == 0 && field_of_sizes(mesh) == nullptr) {
+    return Error{
+        ErrorKind::invalid_input,
+        fmt::format("{}: the mesh has no values at its points that could be edge lengths (in a .vtu or .vtk a point "
+                    "array such as 'size' or 'attributes', in a .msh $NodeData, in a .node the first "
+                    "attribute)",
+                    name)};
+  }
+  PointSizes sizes = values_at_points(mesh);
+  if (const auto none = std::ranges::find_if(sizes, [](double size) { return std::isnan(size); });
+      none != sizes.end()) {
+    return Error{ErrorKind::invalid_input, fmt::format("{}: point {} has no value that could be an edge length", name,
+                                                       number_in_file(mesh, static_cast<Index>(none - sizes.begin())))};
+  }
+  return sizes;
 }
 
 Size size_function(const SizeField& field, const std::string& name, const ValidPslg& domain,

@@ -26,6 +26,10 @@ using SizeField = std::variant<std::monostate, PointSizes, Raster, Mesh>;
 /// path means no file.
 [[nodiscard]] Result<SizeField> read_size_field(const std::filesystem::path& file);
 
+/// The edge lengths at the points of a mesh, as SizeField says. `name` names the file in messages. Fails with
+/// `invalid_input` if the mesh has none, or not at every point.
+[[nodiscard]] Result<PointSizes> sizes_at_points(const Mesh& mesh, const std::string& name);
+
 /// The function for Goal::size; empty if the field is. `name` names the file in messages. Fails with `invalid_input` if
 /// the field does not fit the domain, whose points have these numbers in messages (Mesh::numbers).
 [[nodiscard]] Result<std::function<double(Point)>> size_function(const SizeField& field, const std::string& name,

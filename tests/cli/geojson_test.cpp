@@ -146,6 +146,8 @@ TEST_F(GeoJson, a_wrong_value_is_an_error_with_its_place_in_the_file) {
                     {at + "[3]: expected the first position of the ring, which closes it, found array"}));
   EXPECT_TRUE(holds(of_feature("{}", polygon("[[1,1],[2,1],[1,1]]")),
                     {at + ": expected at least four positions of a ring, found array"}));
+  EXPECT_TRUE(holds(of_feature("{}", polygon("[[10,1],[12,1],[12,2],[10,1]]")),
+                    {at + ": expected a hole inside the first ring of the polygon, found a ring outside it"}));
   EXPECT_TRUE(holds(of_feature("{}", polygon("7")), {at + ": expected an array of positions, found 7"}));
   EXPECT_TRUE(holds(of_feature("{}", R"({"type": "Curve"})"),
                     {"features[1].geometry.type: expected the type of a GeoJSON object, found \"Curve\""}));

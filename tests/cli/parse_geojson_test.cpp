@@ -49,6 +49,21 @@ TEST(Properties, of_a_feature_are_those_of_all_geometries_of_its_collection) {
   EXPECT_EQ(drawn->sources.size(), 4U);
 }
 
+TEST(Holes, lie_outside_if_a_corner_does_and_none_lies_inside) {
+  const std::vector<Point> outline = {{0, 0}, {6, 0}, {6, 6}, {3, 3}, {0, 6}};
+  const auto outside = [&](const std::vector<Point>& hole) { return lies_outside(hole, outline); };
+  EXPECT_FALSE(outside({{1, 1}, {2, 1}, {2, 2}})) << "inside";
+  EXPECT_TRUE(outside({{7, 1}, {8, 1}, {8, 2}})) << "beside it";
+  EXPECT_TRUE(outside({{-1, -1}, {9, -1}, {9, 9}, {-1, 9}})) << "around it";
+  EXPECT_TRUE(outside({{2, 5}, {4, 5}, {3, 6}})) << "in a bay";
+  EXPECT_TRUE(outside({{6, 2}, {8, 2}, {6, 4}})) << "along a side";
+  EXPECT_FALSE(outside({{5, 1}, {8, 1}, {8, 2}})) << "it crosses a side, which the validation finds";
+  EXPECT_FALSE(outside({{0, 0}, {6, 0}, {3, 3}})) << "all corners are on the outline";
+  EXPECT_FALSE(
+      lies_outside(std::vector<Point>{{0.1, 0.1}, {0.7, 0.7}, {0.3, 0.3}}, std::vector<Point>{{0, 0}, {1, 1}, {0, 1}}))
+      << "corners on a side up to rounding";
+}
+
 TEST(Lengths, that_are_null_or_missing_are_none) {
   const Result<DrawnDomain> drawn = with_lengths(feature(R"("length": null)", "Point", "[3, 4]") + "," +
                                                  feature("", "Polygon", "[[[0, 0], [9, 0], [9, 9], [0, 0]]]"));

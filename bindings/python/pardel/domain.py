@@ -11,7 +11,7 @@ import numpy.typing as npt
 from . import _pardel, arrays
 from .errors import UsageError
 from .notebook import svg_of_domain
-from .paths import read_as
+from .paths import Path, read_as, text_of
 from .plotting import plot_domain
 from .shapes import is_shapes
 
@@ -99,6 +99,10 @@ class Domain:
         collection of lines. Returns the axes. Raises `UsageError` if matplotlib is not installed.
         """
         return plot_domain(self, ax, points, **options)
+
+    def save(self, path: Path) -> None:
+        """Writes a file, .poly or .svg, as `write` does."""
+        _pardel.write_domain(text_of(path), self._core)
 
     def _repr_svg_(self) -> str:
         return svg_of_domain(self)

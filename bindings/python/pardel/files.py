@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import os.path
 from typing import Any, Union
 
 from . import _pardel
 from ._mesh import Mesh
 from .domain import Domain, domain_of
-from .errors import UsageError
 from .mesh_like import mesh_of
 from .paths import Path, text_of
 from .shapes import is_shapes
@@ -40,9 +38,6 @@ def write(path: Path, mesh: Any, *, as_text: bool = False, second_order: bool = 
     """
     file = text_of(path)
     if isinstance(mesh, Domain) or is_shapes(mesh):
-        suffix = os.path.splitext(file)[1]
-        if suffix not in (".poly", ".svg"):
-            raise UsageError(f"{file}: {suffix!r} is not a format of a domain; these are .poly and .svg")
         _pardel.write_domain(file, domain_of(mesh)._core)
     else:
         _pardel.write_mesh(file, mesh_of(mesh)._core, as_text, second_order)

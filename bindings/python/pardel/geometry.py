@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from . import _pardel
 from .domain import Domain
-from .errors import UsageError
+from .errors import InvalidInput, UsageError
 from .shapes import Item, Part, parts_of
 
 # The name of a property; a number for all; one number per geometry of the list, None or not a number for none.
@@ -59,10 +59,15 @@ def lengths_of(shapes: Any, length: Of) -> _pardel.Places:
 
 def _arrays(parts: List[Part], items: List[Item], properties: List[npt.NDArray[Any]]) -> _pardel.Shapes:
     coordinates = np.concatenate([np.empty((0, 2))] + [part.coordinates for part in parts])
-    return _pardel.Shapes(coordinates, np.cumsum([0] + [len(part.coordinates) for part in parts]),
-                          np.array([part.kind for part in parts], dtype=np.int64),
-                          np.array([part.item for part in parts], dtype=np.int64),
-                          np.stack([each.astype(np.float64) for each in properties], axis=1))
+    shapes = _pardel.Shapes(coordinates, np.cumsum([0] + [len(part.coordinates) for part in parts]),
+                            np.array([part.kind for part in parts], dtype=np.int64),
+                            np.array([part.item for part in parts], dtype=np.int64),
+                            np.stack([each.astype(np.float64) for each in properties], axis=1))
+    wrong = _pardel.hole_outside(shapes)
+    if wrong is not None:
+        place = parts[wrong].place
+        raise InvalidInput(f"{place} is a hole that does not lie inside the outline of its polygon, {place.rpartition('[')[0]}[0]")
+    return shapes
 
 
 def _numbers(name: str, of: Of, items: List[Item]) -> npt.NDArray[np.float64]:

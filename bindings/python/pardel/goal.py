@@ -12,14 +12,14 @@ import numpy.typing as npt
 
 from . import _pardel, arrays
 from ._mesh import Mesh
-from .errors import UsageError
+from .errors import InvalidInput, UsageError
 from .mesh_like import mesh_of
-from .paths import Path
+from .paths import Path, text_of
 from .raster import Raster
 from .scalars import number
 
-# Size: a number; one length per point; a mesh with one length per point of it; a function; a raster, or its file; the
-# values of a raster with its extent or transform.
+# Size: a number; one length per point; a mesh with one length per point of it; a function; a raster; the values of a
+# raster with its extent or transform; the path of a file with lengths.
 Size = Union[float, npt.ArrayLike, Tuple[Any, npt.ArrayLike], Callable[..., Any], Raster, Path]
 
 # A test of triangles: a function of the corners, shape (3, 2), and the area; True: the triangle must be refined.
@@ -62,6 +62,8 @@ def sizes_of(size: Optional[Size], points: int, mesh: Optional[Mesh] = None) -> 
     """A size that depends on the place. `points`: their number; `mesh`: the mesh to which they belong, if any."""
     if size is None or is_number(size):
         return _pardel.Sizes()
+    if isinstance(size, (str, os.PathLike)):
+        return _sizes_in(size, points, mesh)
     raster = _raster_of(size)
     if raster is not None:
         return _pardel.Sizes.on_raster(raster._core)
@@ -70,18 +72,33 @@ def sizes_of(size: Optional[Size], points: int, mesh: Optional[Mesh] = None) -> 
     if isinstance(size, tuple) and len(size) == 2 and not is_number(size[0]):
         background = mesh_of(size[0])
         return _pardel.Sizes.on_mesh(background._core, _lengths(size[1], len(background.points)))
-    lengths = _lengths(size, points)
+    return _at_points(_lengths(size, points), mesh)
+
+
+def _at_points(lengths: arrays.Numbers, mesh: Optional[Mesh]) -> _pardel.Sizes:
     return _pardel.Sizes.at_points(lengths) if mesh is None else _pardel.Sizes.on_mesh(mesh._core, lengths)
 
 
+def _sizes_in(path: Path, points: int, mesh: Optional[Mesh]) -> _pardel.Sizes:
+    """Those of a file for the program's option --sizes: a raster, a mesh with lengths, or one length per point."""
+    file = text_of(path)
+    if not os.path.splitext(file)[1] and not os.path.exists(file):
+        raise UsageError(f"size is {file!r}; a number, an array, a function, a Raster or the path of a file with "
+                         f"lengths is needed")
+    found = _pardel.read_sizes(file)
+    if isinstance(found, _pardel.Raster):
+        return _pardel.Sizes.on_raster(found)
+    if isinstance(found, tuple):
+        return _pardel.Sizes.on_mesh(found[0], _lengths(found[1], len(found[1]), file))
+    if len(found) != points:
+        raise InvalidInput(f"{file}: {len(found)} sizes for {points} points")
+    return _at_points(_lengths(found, points, file), mesh)
+
+
 def _raster_of(size: Any) -> Optional[Raster]:
-    """A raster, the path of one, or an array of two dimensions with an extent (4 numbers) or a transform (6 or 9)."""
+    """A raster, or an array of two dimensions with an extent (4 numbers) or a transform (6 or 9)."""
     if isinstance(size, Raster):
         return size
-    if isinstance(size, (str, os.PathLike)):
-        if os.path.splitext(os.fspath(size))[1].lower() not in (".asc", ".npy"):
-            raise UsageError(f"size is {os.fspath(size)!r}; the path of a raster, .asc or .npy, is needed")
-        return Raster.read(size)
     if isinstance(size, tuple) and len(size) == 2 and isinstance(size[0], np.ndarray) and size[0].ndim == 2:
         where = tuple(size[1])
         return Raster(size[0], where) if len(where) == 4 else Raster(size[0], transform=where)
@@ -94,11 +111,11 @@ def test_of(refine_if: Optional[Test]) -> Optional[Test]:
     return refine_if
 
 
-def _lengths(value: Any, count: int) -> arrays.Numbers:
-    lengths = arrays.one_per("size", value, count, "point")
+def _lengths(value: Any, count: int, name: str = "size") -> arrays.Numbers:
+    lengths = arrays.one_per(name, value, count, "point")
     wrong = np.flatnonzero(~((lengths > 0) & (lengths < math.inf)))
     if wrong.size:
-        raise UsageError(f"size[{wrong[0]}] is {lengths[wrong[0]]}; a finite number greater than 0 is needed")
+        raise UsageError(f"{name}[{wrong[0]}] is {lengths[wrong[0]]}; a finite number greater than 0 is needed")
     return lengths
 
 

@@ -55,7 +55,9 @@ def mesh(points: DomainLike, segments: Optional[npt.ArrayLike] = None, *, holes:
       size: the longest edge near a place, in the unit:
         a number; or an array of shape (n,), one length per point, interpolated over the domain;
         or (mesh, lengths), one length per point of a mesh that covers the domain;
-        or a `Raster`, its values with their extent or transform as a tuple, or the path of an .asc or .npy;
+        or a `Raster`, or its values with their extent or transform as a tuple;
+        or the path of a file, as for the program's option ``--sizes``: a raster .asc or .npy, a mesh with lengths at
+        its points, or one length per point of the domain;
         or a function of an array of places, shape (k, 2), that returns k lengths;
         or a function of two numbers x and y that returns a length.
         A function must be pure: what it returns for a place depends on nothing else. The mesher asks about three

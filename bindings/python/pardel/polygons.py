@@ -7,7 +7,7 @@ import numpy.typing as npt
 
 from . import _pardel, arrays
 from .domain import Domain
-from .errors import UsageError
+from .errors import InvalidInput, UsageError
 
 
 def polygon(outline: npt.ArrayLike, *inner: npt.ArrayLike) -> Domain:
@@ -16,12 +16,16 @@ def polygon(outline: npt.ArrayLike, *inner: npt.ArrayLike) -> Domain:
     outline, inner: shape (n, 2): the corners in their order, in either direction, each once or with the first one again
     at the end. The inner ones become holes.
 
-    Raises `UsageError` for a wrong shape, and `InvalidInput` for an inner polygon that crosses itself.
+    Raises `UsageError` for a wrong shape, and `InvalidInput` for an inner polygon that crosses itself or lies
+    outside the outline.
 
     >>> polygon([(0, 0), (4, 0), (4, 4), (0, 4)], [(1, 1), (2, 1), (2, 2)])
     Domain(7 points, 7 segments, 1 holes)
     """
     rings = [_ring(ring) for ring in (outline, *inner)]
+    for k, ring in enumerate(rings[1:]):
+        if _pardel.lies_outside(ring, rings[0]):
+            raise InvalidInput(f"inner polygon {k} does not lie inside the outline")
     starts = np.cumsum([0, *map(len, rings)])
     ends = [np.stack([start + np.arange(len(ring)), start + np.roll(np.arange(len(ring)), -1)], axis=1)
             for start, ring in zip(starts, rings)]

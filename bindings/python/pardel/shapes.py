@@ -22,6 +22,7 @@ class Part(NamedTuple):
     kind: int
     coordinates: Numbers
     item: int
+    place: str
 
 
 class Item(NamedTuple):
@@ -136,17 +137,17 @@ class _Reader:
                 read(each, its_place, len(self.items) - 1)
 
     def _read_point(self, coordinates: Any, place: str, item: int) -> None:
-        self.parts.append(Part(POINTS, _positions([coordinates], place, "a position"), item))
+        self.parts.append(Part(POINTS, _positions([coordinates], place, "a position"), item, place))
 
     def _read_points(self, coordinates: Any, place: str, item: int) -> None:
         if len(coordinates) > 0:
-            self.parts.append(Part(POINTS, _positions(coordinates, place, "positions"), item))
+            self.parts.append(Part(POINTS, _positions(coordinates, place, "positions"), item, place))
 
     def _read_line(self, coordinates: Any, place: str, item: int) -> None:
         line = _positions(coordinates, place, "a line")
         if len(line) < 2:
             raise UsageError(f"{place} has {len(line)} positions; a line needs two")
-        self.parts.append(Part(LINE, line, item))
+        self.parts.append(Part(LINE, line, item, place))
 
     def _read_polygon(self, coordinates: Any, place: str, item: int) -> None:
         for k, (each, its_place) in enumerate(_each(coordinates, place)):
@@ -154,7 +155,7 @@ class _Reader:
             if len(ring) < 4 or not np.array_equal(ring[0], ring[-1]):
                 raise UsageError(f"{its_place} is no ring; a ring has at least four positions, and ends where it "
                                  f"begins")
-            self.parts.append(Part(INNER_RING if k else OUTER_RING, ring[:-1], item))
+            self.parts.append(Part(INNER_RING if k else OUTER_RING, ring[:-1], item, its_place))
 
 
 def _properties(feature: Mapping[str, Any], place: str) -> Mapping[str, Any]:

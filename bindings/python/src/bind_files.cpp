@@ -3,6 +3,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <pardel/core/formats.hpp>
+#include <string>
 #include <variant>
 
 #include "../../../cli/read_geojson.hpp"
@@ -41,8 +42,12 @@ void write_mesh_file(const std::filesystem::path& file, const HeldMesh& held, bo
 }
 
 void write_domain_file(const std::filesystem::path& file, const Pslg& domain) {
+  const std::string suffix = file.extension().string();
+  if (suffix != ".poly" && suffix != ".svg")
+    throw Failure{
+        {ErrorKind::usage, file.string() + ": '" + suffix + "' is not a format of a domain; these are .poly and .svg"}};
   Call().run([&] {
-    require(file.extension() == ".svg" ? write_svg(domain, file) : write_poly(domain, file));
+    require(suffix == ".svg" ? write_svg(domain, file) : write_poly(domain, file));
     return Done{};
   });
 }

@@ -7,14 +7,18 @@
 #include <memory>
 #include <pardel/core/formats.hpp>
 #include <pardel/core/raster.hpp>
+#include <variant>
 
 #include "../../../cli/read_geojson.hpp"
+#include "../../../cli/size_field.hpp"
 #include "arrays.hpp"
 #include "bind.hpp"
 #include "call.hpp"
 #include "errors.hpp"
+#include "held_mesh.hpp"
 #include "places.hpp"
 #include "shapes.hpp"
+#include "state_of_sizes.hpp"
 
 namespace py = pybind11;
 
@@ -35,6 +39,28 @@ std::shared_ptr<Raster> make_raster(const Numbers& values, double first_x, doubl
 
 std::shared_ptr<Raster> read_raster_file(const std::filesystem::path& file) {
   return std::make_shared<Raster>(Call().run([&] { return value_of(read_raster(file)); }));
+}
+
+/// What a file of the program's option --sizes has: an array with one length per point of the domain; a Raster; or a
+/// HeldMesh and an array with one length per point of it.
+py::object read_sizes_file(const std::filesystem::path& file) {
+  struct Read {
+    cli::SizeField field;
+    cli::PointSizes on_mesh;
+  };
+  Read read = Call().run([&] {
+    Read made{value_of(cli::read_size_field(file)), {}};
+    if (const Mesh* mesh = std::get_if<Mesh>(&made.field))
+      made.on_mesh = value_of(cli::sizes_at_points(*mesh, file.string()));
+    return made;
+  });
+  const auto array = [](const cli::PointSizes& lengths) {
+    return py::array_t<double>(static_cast<py::ssize_t>(lengths.size()), lengths.data());
+  };
+  if (Mesh* mesh = std::get_if<Mesh>(&read.field))
+    return py::make_tuple(std::make_shared<HeldMesh>(std::move(*mesh)), array(read.on_mesh));
+  if (Raster* raster = std::get_if<Raster>(&read.field)) return py::cast(std::make_shared<Raster>(std::move(*raster)));
+  return array(std::get<cli::PointSizes>(read.field));
 }
 
 /// points: rows of x, y and length. lines: rows of two places and their lengths.
@@ -77,18 +103,24 @@ void bind_sizes(py::module_& module) {
       .def_property_readonly("shape", [](const Raster& r) { return py::make_tuple(r.rows, r.columns); })
       .def_property_readonly(
           "extent", [](const Raster& r) { return py::make_tuple(r.low().x, r.high().x, r.low().y, r.high().y); })
-      .def_property_readonly("values", [](const py::object& self) {
-        const Raster& raster = *self.cast<const Raster*>();
-        return view(raster.values.data(), raster.rows, raster.columns, raster.columns * sizeof(double), self);
-      });
+      .def_property_readonly("values",
+                             [](const py::object& self) {
+                               const Raster& raster = *self.cast<const Raster*>();
+                               return view(raster.values.data(), raster.rows, raster.columns,
+                                           raster.columns * sizeof(double), self);
+                             })
+      .def(py::pickle(&state_of_raster, &raster_of_state));
   py::class_<Places, std::shared_ptr<Places>>(module, "Places")
       .def(py::init(&make_places), py::arg("points"), py::arg("lines"), py::arg("markers"), py::arg("regions"))
       .def_static("read", &read_places, py::arg("file"))
       .def_static("of_shapes", &places_of_shapes, py::arg("shapes"))
-      .def("__len__", [](const Places& places) {
-        const SizeRules& rules = places.rules;
-        return rules.points.size() + rules.markers.size() + rules.regions.size() + places.drawn.sources.size();
-      });
+      .def("__len__",
+           [](const Places& places) {
+             const SizeRules& rules = places.rules;
+             return rules.points.size() + rules.markers.size() + rules.regions.size() + places.drawn.sources.size();
+           })
+      .def(py::pickle(&state_of_places, &places_of_state));
+  module.def("read_sizes", &read_sizes_file, py::arg("file"));
 }
 
 }  // namespace pardel::python

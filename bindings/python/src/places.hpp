@@ -15,11 +15,16 @@ namespace pardel::python {
 struct Places {
   SizeRules rules{};
   cli::DrawnLengths drawn{};
-  std::string name{};  ///< of the file, or of the argument, for messages
+  std::vector<cli::DrawnPolygon> polygons{};  ///< those with a length, of which `drawn` has the size inside
+  std::string name{};                         ///< of the file, or of the argument, for messages
 };
 
 /// The places with a length in a drawing. Sides that cross are repaired. Throws a Failure.
 [[nodiscard]] Places places_of(cli::DrawnDomain drawing, std::string name);
+
+/// The same places again: of these polygons, which have lengths, and these sources.
+[[nodiscard]] Places places_of(std::vector<cli::DrawnPolygon> polygons, std::vector<SizeSource> sources,
+                               std::string name);
 
 /// Adds the lengths to the goal. Throws a Failure if the domain lacks a marker or an attribute.
 void add_places(const Places& places, const ValidPslg& domain, Goal& goal);

@@ -53,6 +53,16 @@ py::ssize_t add(cli::Drawing& drawing, const Shapes& shapes, py::ssize_t part) {
 
 }  // namespace
 
+std::optional<std::size_t> first_hole_outside(const Shapes& shapes) {
+  std::vector<Point> outline;
+  for (py::ssize_t part = 0; part < size(shapes); ++part) {
+    const std::int64_t kind = *shapes.kinds.data(part);
+    if (kind == outer_ring) outline = points_of(shapes, part);
+    if (kind == inner_ring && cli::lies_outside(points_of(shapes, part), outline)) return part;
+  }
+  return {};
+}
+
 cli::DrawnDomain drawing_of(const Shapes& shapes) {
   cli::Drawing drawing;
   for (py::ssize_t part = 0; part < size(shapes);) part = add(drawing, shapes, part);

@@ -15,6 +15,9 @@ struct Shapes {
   Numbers properties;   ///< five columns
 };
 
+/// The first part that is a hole outside the outline of its polygon (cli::lies_outside()).
+[[nodiscard]] std::optional<std::size_t> first_hole_outside(const Shapes& shapes);
+
 [[nodiscard]] cli::DrawnDomain drawing_of(const Shapes& shapes);
 
 }  // namespace pardel::python

@@ -325,8 +325,10 @@ def test_a_wrong_argument_is_named(arguments, message):
 
 
 def test_something_that_is_no_mesh_info_is_refused():
-    with pytest.raises((pardel.UsageError, AttributeError)):
-        triangle.build([(0, 0), (1, 0), (0, 1)])
+    for function, name in ((triangle.build, "mesh_info"), (triangle.refine, "input_p")):
+        for value in ([(0, 0), (1, 0), (0, 1)], np.eye(2), None):
+            with pytest.raises(TypeError, match=f"^{name} is a {type(value).__name__}; a MeshInfo is needed"):
+                function(value)
 
 
 def test_an_open_outline_is_an_error():

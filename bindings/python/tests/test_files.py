@@ -100,3 +100,18 @@ def test_a_mesh_is_no_domain_and_a_domain_no_mesh(square, tmp_path):
         pardel.mesh(tmp_path / "mesh.vtu")
     with pytest.raises(pardel.UsageError, match="square.poly is a domain; a mesh is needed"):
         pardel.refine(tmp_path / "square.poly")
+
+
+@pytest.mark.parametrize("suffix", ["poly", "svg"])
+def test_a_domain_saves_itself(plate, tmp_path, suffix):
+    plate.save(tmp_path / f"saved.{suffix}")
+    pardel.write(tmp_path / f"written.{suffix}", plate)
+    assert (tmp_path / f"saved.{suffix}").read_bytes() == (tmp_path / f"written.{suffix}").read_bytes()
+
+
+@pytest.mark.parametrize("name, suffix", [("d.vtu", ".vtu"), ("d", ""), ("d.POLY", ".POLY")])
+def test_a_domain_in_a_format_of_meshes_is_a_usage_error(plate, tmp_path, name, suffix):
+    for write in (plate.save, lambda path: pardel.write(path, plate)):
+        with pytest.raises(pardel.UsageError, match=f"{name}: '{suffix}' is not a format of a domain; these are .poly"):
+            write(tmp_path / name)
+    assert list(tmp_path.iterdir()) == []

@@ -202,3 +202,46 @@ def test_a_wrong_place_in_a_file_is_named(tmp_path):
 
 def test_polygons_that_are_apart_leave_a_gap():
     assert area([shapely.box(0, 0, 1, 1), shapely.box(2, 0, 3, 1)]) == pytest.approx(2)
+
+
+def closed(ring):
+    return [*ring, ring[0]]
+
+
+rings = st.lists(st.tuples(st.integers(0, 6), st.integers(0, 6)), min_size=3, max_size=6, unique=True).filter(
+    lambda ring: shapely.Polygon(ring).is_valid)
+
+
+@given(rings, rings)
+def test_a_hole_that_does_not_lie_in_its_outline_is_named_and_others_are_meshed_or_cross_it(outline, hole):
+    inside, around = shapely.Polygon(hole), shapely.Polygon(outline)
+    shapes = {"type": "MultiPolygon", "coordinates": [[closed([(8, 8), (9, 8), (9, 9)])],
+                                                      [closed(outline), closed(hole)]]}
+    if around.contains_properly(inside) if hasattr(around, "contains_properly") else \
+            around.contains(inside) and not around.boundary.intersects(inside.boundary):
+        assert pardel.mesh(shapes).area() == pytest.approx(0.5 + around.area - inside.area)
+    elif not around.intersects(inside) or inside.contains(around) and not inside.boundary.intersects(around.boundary):
+        with pytest.raises(pardel.InvalidInput, match=r"^geometry 0\.coordinates\[1\]\[1\] is a hole that does not lie "
+                                                      r"inside the outline of its polygon, "
+                                                      r"geometry 0\.coordinates\[1\]\[0\]$"):
+            pardel.mesh([shapes], repair=True)
+        with pytest.raises(pardel.InvalidInput, match="inner polygon 0 does not lie inside the outline"):
+            pardel.polygon(outline, hole)
+    elif any(around.contains(shapely.Point(corner)) for corner in hole):
+        pardel.geometry(shapes)  # it crosses the outline, or touches it: for the validation
+
+
+def test_a_hole_outside_its_outline_in_a_file_is_named(tmp_path):
+    file = tmp_path / "islands.geojson"
+    far = [(x + 9, y) for x, y in WINDOW]
+    file.write_text(json.dumps(feature({"type": "Polygon", "coordinates": [SQUARE, WINDOW, far]})))
+    with pytest.raises(pardel.InvalidInput, match=r"islands.geojson: geometry.coordinates\[2\]: expected a hole inside "
+                                                  "the first ring of the polygon, found a ring outside it"):
+        pardel.read(file)
+
+
+def test_a_hole_may_touch_its_outline_in_corners():
+    outline = [(0, 0), (3, 0), (3, 1), (3, 3), (1, 3), (0, 3), (0, 2)]
+    hole = [(3, 1), (1, 3), (0, 2)]  # all corners are on the outline, which has points there
+    mesh = pardel.mesh({"type": "Polygon", "coordinates": [closed(outline), closed(hole)]}, min_angle=0)
+    assert mesh.area() == pytest.approx(shapely.Polygon(outline).area - shapely.Polygon(hole).area)

@@ -150,3 +150,41 @@ def test_any_triangulation_is_the_same_after_pickling(points, is_refined):
         return
     made = pardel.mesh(points) if is_refined else pardel.delaunay(points)
     assert_same(made, pickle.loads(pickle.dumps(made)))
+
+
+@pytest.mark.parametrize("way", WAYS)
+def test_a_raster_stays_the_same(way):
+    raster = pardel.Raster([[0.1, 0.3, np.inf], [0.7, np.nan, 0.2]], extent=(0.1, 0.7, -0.3, 1 / 3))
+    other = WAYS[way](raster)
+    assert other.extent == raster.extent and np.array_equal(other.values, raster.values, equal_nan=True)
+
+
+def sources_of_each_kind(folder):
+    """A name, and places in a domain with a marker 2 and a region with the attribute 7."""
+    rules = folder / "rules.sources"
+    rules.write_text("point 0.5 0.5 0.01\nmarker 2 0.05\nregion 7 0.1\n")
+    field = {"type": "Polygon", "coordinates": [[(0.2, 0.2), (0.7, 0.2), (0.7, 0.6), (0.2, 0.2)]]}
+    wood = {"type": "Polygon", "coordinates": [[(0.4, 0.1), (0.9, 0.1), (0.9, 0.5), (0.4, 0.1)]]}  # they cross
+    yield "arrays", pardel.Sources(points=[(0.5, 0.5, 0.01)], lines=[(0, 0, 1, 1, 0.03, 0.05)], markers={2: 0.1},
+                                   regions={7: 0.2})
+    yield "file", pardel.Sources.read(rules)
+    yield "shapes", pardel.Sources.of([field, wood, {"type": "Point", "coordinates": (0.1, 0.9)}], [0.02, 0.03, 0.01])
+
+
+@pytest.mark.parametrize("way", ["pickle 2", f"pickle {pickle.HIGHEST_PROTOCOL}", "copy", "deepcopy"])
+def test_sources_of_each_kind_make_the_same_mesh(way, square, tmp_path):
+    domain = pardel.Domain(square.points, square.segments, markers=square.markers, regions=[(0.5, 0.5, 7)])
+    for kind, sources in sources_of_each_kind(tmp_path):
+        other = WAYS[way](WAYS[way](sources))
+        assert len(other) == len(sources) > 2
+        meshes = [pardel.mesh(domain, sources=each, grading=0.3) for each in (sources, other)]
+        assert meshes[0].digest == meshes[1].digest, kind
+    with pytest.raises(pardel.InvalidInput, match="rules.sources:2: no "):  # the line is kept
+        pardel.mesh([(0, 0), (1, 0), (1, 1)], sources=WAYS[way](pardel.Sources.read(tmp_path / "rules.sources")),
+                    grading=0.3)
+
+
+def test_a_raster_of_a_later_form_is_refused():
+    core = pardel.Raster([[1]], (0, 1, 0, 1))._core
+    with pytest.raises(pardel.UsageError, match="the raster was pickled by a later version of pardel, in form 2"):
+        type(core).__new__(type(core)).__setstate__((2, *core.__getstate__()[1:]))

@@ -141,8 +141,39 @@ def test_a_wrong_raster_is_named(what):
         pardel.Raster(*arguments, **options)
 
 
-def test_the_path_of_no_raster_is_named():
-    with pytest.raises(pardel.UsageError, match="size is 'mesh.vtu'; the path of a raster"):
-        pardel.mesh(UNIT, size="mesh.vtu")
-    with pytest.raises(pardel.FileError, match="none.asc"):
-        pardel.mesh(UNIT, size="none.asc")
+def test_lengths_at_the_points_may_be_in_a_file(tmp_path, square):
+    file = tmp_path / "unit.sizes"
+    file.write_text("4\n1 0.02\n2 0.2\n3 0.2\n4 0.02\n")
+    mesh = pardel.mesh(square, size=file)
+    assert mesh.digest == pardel.mesh(square, size=[0.02, 0.2, 0.2, 0.02]).digest
+    assert pardel.check(square, mesh, size=str(file)).valid
+    coarse = pardel.delaunay(square)
+    assert pardel.refine(coarse, size=file).digest == pardel.refine(coarse, size=[0.02, 0.2, 0.2, 0.02]).digest
+
+
+@pytest.mark.parametrize("suffix", ["vtu", "node"])
+def test_lengths_may_be_at_the_points_of_a_mesh_in_a_file(tmp_path, suffix):
+    lengths = np.array([0.05, 0.3, 0.3, 0.1])
+    background = pardel.delaunay(UNIT.points, attributes=lengths[:, None])
+    background.save(tmp_path / f"background.{suffix}")
+    mesh = pardel.mesh(UNIT, size=tmp_path / f"background.{suffix}")
+    assert mesh.digest == pardel.mesh(UNIT, size=(background, lengths)).digest
+
+
+def test_a_wrong_file_of_lengths_is_named(tmp_path):
+    def refused(name, text, error, message):
+        (tmp_path / name).write_text(text)
+        with pytest.raises(error, match=message):
+            pardel.mesh(UNIT, size=tmp_path / name)
+
+    refused("few.sizes", "1\n1 0.1\n", pardel.InvalidInput, "few.sizes: 1 sizes for 4 points")
+    refused("zero.sizes", "1\n1 0\n", pardel.InvalidInput, "zero.sizes:2")
+    refused("text.sizes", "fine\n", pardel.InvalidInput, "text.sizes:1")
+    pardel.write(tmp_path / "bare.vtu", pardel.mesh(UNIT))
+    with pytest.raises(pardel.InvalidInput, match="bare.vtu: the mesh has no values at its points that could be edge"):
+        pardel.mesh(UNIT, size=tmp_path / "bare.vtu")
+    with pytest.raises(pardel.UsageError, match="size is ''; .* or the path of a file"):
+        pardel.mesh(UNIT, size="")
+    for name in ("none.asc", "none.vtu", "none.sizes"):
+        with pytest.raises(pardel.FileError, match=name):
+            pardel.mesh(UNIT, size=name)

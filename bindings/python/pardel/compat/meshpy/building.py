@@ -52,7 +52,7 @@ def build(mesh_info: MeshInfo, verbose: bool = False, refinement_func: Optional[
     quality_meshing: angles are at least min_angle, 20 degrees without a number. generate_faces: faces are all edges.
     mesh_order: 2: elements have six points; the last three are in the middle of the sides opposite the first three.
     verbose, generate_neighbor_lists: no effect; nothing is printed, and neighbors are always there.
-    Raises `UsageError` and `InvalidInput`, which are a ValueError.
+    Raises `UsageError` and `InvalidInput`, which are a ValueError; TypeError for something else than a MeshInfo.
 
     >>> info = MeshInfo()
     >>> info.set_points([(0, 0), (1, 0), (1, 1), (0, 1)])
@@ -60,6 +60,7 @@ def build(mesh_info: MeshInfo, verbose: bool = False, refinement_func: Optional[
     >>> build(info, refinement_func=lambda vertices, area: area > 0.1)
     MeshInfo(13 points, 16 elements, 8 facets)
     """
+    _require_info("mesh_info", mesh_info)
     if not allow_volume_steiner and allow_boundary_steiner:
         raise UsageError("allow_volume_steiner is False, which needs allow_boundary_steiner=False, too")
     if generate_edges is not None:
@@ -87,6 +88,7 @@ def refine(input_p: MeshInfo, verbose: bool = False, refinement_func: Optional[R
     The largest area in what each element covers is that in element_volumes, if it has been set up; a number that is not
     positive means no bound. The facets stay, and their markers. The other arguments are those of `build`.
     """
+    _require_info("input_p", input_p)
     switches = _switches(refinement_func, quality_meshing, min_angle)
     switches.refine, switches.poly = True, len(input_p.facets) > 0
     switches.areas = input_p.element_volumes.allocated
@@ -122,9 +124,12 @@ def _test(function: Optional[RefinementFunction]) -> Optional[Test]:
     return test
 
 
-def _given(info: MeshInfo, fields: Dict[str, str]) -> Dict[str, Any]:
+def _require_info(name: str, info: Any) -> None:
     if not isinstance(info, MeshInfo):
-        raise UsageError(f"a MeshInfo is needed; this is a {type(info).__name__}")
+        raise TypeError(f"{name} is a {type(info).__name__}; a MeshInfo is needed, with set_points and set_facets")
+
+
+def _given(info: MeshInfo, fields: Dict[str, str]) -> Dict[str, Any]:
     return {key: np.array(getattr(info, name)) for name, key in fields.items() if getattr(info, name).allocated}
 
 
