@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <utility>
+
+#include "../core/support/stop_signal.hpp"
 
 namespace pardel::cli {
 namespace {
@@ -57,9 +60,32 @@ const json& value_of(const json& object, const char* key) {
   return found == object.end() ? none : *found;
 }
 
+/// The bytes of the text for the parser. They ask whether to go on.
+class AskingBytes {
+ public:
+  using iterator_category = std::input_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+
+  AskingBytes(const char* at, StopSignal* stop) : at_(at), ask_(stop) {}
+  reference operator*() const { return *at_; }
+  AskingBytes& operator++() {
+    ask_();
+    ++at_;
+    return *this;
+  }
+  friend bool operator==(const AskingBytes& a, const AskingBytes& b) { return a.at_ == b.at_; }
+
+ private:
+  const char* at_;
+  SparseAsk ask_;
+};
+
 class Shapes {
  public:
-  explicit Shapes(LengthProperty lengths) : lengths_(lengths) {}
+  Shapes(LengthProperty lengths, StopSignal* stop) : lengths_(lengths), ask_(stop) {}
 
   void read(const json& object, const Place& place, const ShapeProperties& properties, int level) {
     if (!object.is_object()) fail(place, "a GeoJSON object", object);
@@ -94,9 +120,12 @@ class Shapes {
 
  private:
   template <class Read>
-  static void each(const json& array, const Place& place, const char* what, const Read& read) {
+  void each(const json& array, const Place& place, const char* what, const Read& read) {
     if (!array.is_array()) fail(place, fmt::format("an array of {}", what), array);
-    for (std::size_t i = 0; i < array.size(); ++i) read(array[i], place[i]);
+    for (std::size_t i = 0; i < array.size(); ++i) {
+      ask_();
+      read(array[i], place[i]);
+    }
   }
 
   /// A feature without a geometry draws nothing.
@@ -144,7 +173,7 @@ class Shapes {
     return {value[0].get<double>() + 0.0, value[1].get<double>() + 0.0};  // -0 becomes 0
   }
 
-  static std::vector<Point> points(const json& positions, const Place& place) {
+  std::vector<Point> points(const json& positions, const Place& place) {
     std::vector<Point> all;
     each(positions, place, "positions", [&](const json& one, const Place& p) { all.push_back(position(one, p)); });
     return all;
@@ -176,6 +205,7 @@ class Shapes {
   }
 
   LengthProperty lengths_;
+  SparseAsk ask_;
   Drawing drawing_;
 };
 
@@ -193,13 +223,13 @@ std::string reason_of(const json::exception& error) {
   return std::string(at == std::string_view::npos ? what : what.substr(at + 2));
 }
 
-}  // namespace
-
-Result<DrawnDomain> parse_geojson(std::string_view text, const std::string& name, LengthProperty lengths) {
+Result<DrawnDomain> shapes_in(std::string_view text, const std::string& name, LengthProperty lengths,
+                              StopSignal* stop) {
   const auto invalid = [](const std::string& message) { return Error{ErrorKind::invalid_input, message}; };
+  const char* const begin = text.data();
   try {
-    Shapes shapes(lengths);
-    shapes.read(json::parse(text.begin(), text.end()), Place{}, {}, 0);
+    Shapes shapes(lengths, stop);
+    shapes.read(json::parse(AskingBytes(begin, stop), AskingBytes(begin + text.size(), nullptr)), Place{}, {}, 0);
     return std::move(shapes).take();
   } catch (const WrongFile& wrong) {
     return invalid(name + ": " + wrong.message);
@@ -207,12 +237,19 @@ Result<DrawnDomain> parse_geojson(std::string_view text, const std::string& name
     return invalid(place_in_text(text, name, error.byte > 0 ? error.byte - 1 : 0) + ": " + reason_of(error));
   } catch (const json::out_of_range& error) {  // a number such as 1e999, in quotation marks at the end
     const std::string_view what = error.what();
-    const std::size_t end = what.rfind('\''), begin = end == std::string_view::npos ? end : what.rfind('\'', end - 1);
-    if (begin == std::string_view::npos) return invalid(name + ": " + std::string(what));
-    const std::string_view number = what.substr(begin + 1, end - begin - 1);
+    const std::size_t end = what.rfind('\''), first = end == std::string_view::npos ? end : what.rfind('\'', end - 1);
+    if (first == std::string_view::npos) return invalid(name + ": " + std::string(what));
+    const std::string_view number = what.substr(first + 1, end - first - 1);
     return invalid(place_in_text(text, name, text.find(number)) + ": the number " + std::string(number) +
                    " is too large for a double");
   }
+}
+
+}  // namespace
+
+Result<DrawnDomain> parse_geojson(std::string_view text, const std::string& name, LengthProperty lengths,
+                                  const std::function<bool()>& go_on) {
+  return stoppable(go_on, [&](StopSignal* stop) { return shapes_in(text, name, lengths, stop); });
 }
 
 }  // namespace pardel::cli

@@ -84,7 +84,7 @@ Sources sources_in(std::monostate, const ValidPslg&, double) { return std::vecto
 
 }  // namespace
 
-Result<SizeField> read_size_field(const std::filesystem::path& file) {
+Result<SizeField> read_size_field(const std::filesystem::path& file, const GoOn& go_on) {
   if (file.empty()) return SizeField();
   const auto field = [](auto read) -> Result<SizeField> {
     if (!read) return read.error();
@@ -92,9 +92,9 @@ Result<SizeField> read_size_field(const std::filesystem::path& file) {
   };
   std::string suffix = file.extension().string();
   std::ranges::transform(suffix, suffix.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (suffix == ".asc" || suffix == ".npy") return field(read_raster(file));
-  if (const auto format = mesh_format(file); format && format != MeshFormat::svg) return field(read_mesh(file));
-  return field(read_sizes(file));
+  if (suffix == ".asc" || suffix == ".npy") return field(read_raster(file, go_on));
+  if (const auto format = mesh_format(file); format && format != MeshFormat::svg) return field(read_mesh(file, go_on));
+  return field(read_sizes(file, go_on));
 }
 
 Result<PointSizes> sizes_at_points(const Mesh& mesh, const std::string& name) {

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "../core/formats.hpp"
 #include "../core/mesh.hpp"
 #include "../core/raster.hpp"
 #include "../core/result.hpp"
@@ -24,7 +25,7 @@ using SizeField = std::variant<std::monostate, PointSizes, Raster, Mesh>;
 
 /// Reads a file of edge lengths: a raster if the suffix is .asc or .npy, a mesh if it is the suffix of a mesh. An empty
 /// path means no file.
-[[nodiscard]] Result<SizeField> read_size_field(const std::filesystem::path& file);
+[[nodiscard]] Result<SizeField> read_size_field(const std::filesystem::path& file, const GoOn& go_on = {});
 
 /// The edge lengths at the points of a mesh, as SizeField says. `name` names the file in messages. Fails with
 /// `invalid_input` if the mesh has none, or not at every point.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "support/exception_of.hpp"
+#include "support/stop_signal.hpp"
 
 namespace pardel {
 namespace {
@@ -29,12 +30,18 @@ Ends ends_of(const Array<Triangle>& triangles, Index side) {
 /// falls. Only the rising sides are sorted by their lower ends, with a counting sort; the falling sides look for them.
 class PairedSides {
  public:
-  PairedSides(Array<Triangle>& triangles, std::size_t points) : triangles_(triangles), points_(points) {}
+  PairedSides(Array<Triangle>& triangles, std::size_t points, StopSignal* stop)
+      : triangles_(triangles), points_(points), stop_(stop) {}
 
   /// False if the mesh has no such form. Then the neighbours have no meaning.
   bool join() {
     sort_rising();
-    return are_rising_distinct() && join_falling() && is_each_joined_once();
+    ask();
+    if (!are_rising_distinct()) return false;
+    ask();
+    if (!join_falling()) return false;
+    ask();
+    return is_each_joined_once();
   }
 
  private:
@@ -42,6 +49,10 @@ class PairedSides {
     Index high;
     Index side;
   };
+  void ask() const {
+    if (stop_ != nullptr) stop_->ask();
+  }
+
   static constexpr int most_threads = 8;
   static constexpr std::size_t least_parallel = 1 << 15;
   /// The threads take blocks of this size. One that other work of the machine holds up leaves more to the others.
@@ -79,6 +90,7 @@ class PairedSides {
     for (int k = 0; k < n; ++k)
       visit_rising(range(k), range(k + 1), spare_place(k),
                    [&](std::size_t place, Index counts, Index, Index) { start_[place] += counts; });
+    ask();
     std::size_t sum = 0;
     for (std::size_t p = 0; p <= points_; ++p) start_[p] = static_cast<Index>(sum += start_[p]);
     for (int k = 0; k < n; ++k) start_[spare_place(k)] = static_cast<Index>(sum + static_cast<std::size_t>(k));
@@ -164,6 +176,7 @@ class PairedSides {
 
   Array<Triangle>& triangles_;
   std::size_t points_;
+  StopSignal* stop_;
   Array<Index> start_;
   Array<Rising> rising_;
   std::size_t joined_ = 0;
@@ -171,7 +184,8 @@ class PairedSides {
 
 /// For any triangles. A counting sort groups the sides by their lower end. Within a group, a table indexed by the
 /// higher end finds the other side of the same edge. A second pass over the same group clears the table.
-std::size_t join_any_sides(Array<Triangle>& triangles, std::size_t points) {
+std::size_t join_any_sides(Array<Triangle>& triangles, std::size_t points, StopSignal* stop) {
+  SparseAsk ask(stop);
   const auto sides = static_cast<Index>(3 * triangles.size());
   Array<Index> start(points + 1, 0);
   for (Index s = 0; s < sides; ++s) ++start[ends_of(triangles, s).low];
@@ -183,6 +197,7 @@ std::size_t join_any_sides(Array<Triangle>& triangles, std::size_t points) {
   constexpr Index closed = no_index - 1;
   std::size_t surplus = 0;
   for (std::size_t p = 0; p < points; ++p) {
+    ask();
     const auto around = by_low_end.span().subspan(start[p], start[p + 1] - start[p]);
     for (const Index s : around) {
       Index& waiting = open[ends_of(triangles, s).high];
@@ -204,9 +219,9 @@ std::size_t join_any_sides(Array<Triangle>& triangles, std::size_t points) {
 
 }  // namespace
 
-std::size_t rebuild_neighbours(Array<Triangle>& triangles, std::size_t points) {
-  if (PairedSides(triangles, points).join()) return 0;
-  return join_any_sides(triangles, points);
+std::size_t rebuild_neighbours(Array<Triangle>& triangles, std::size_t points, StopSignal* stop) {
+  if (PairedSides(triangles, points, stop).join()) return 0;
+  return join_any_sides(triangles, points, stop);
 }
 
 }  // namespace pardel

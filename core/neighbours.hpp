@@ -7,6 +7,8 @@
 
 namespace pardel {
 
+class StopSignal;
+
 /// The largest number of triangles whose sides, three per triangle, can be numbered by an Index.
 inline constexpr std::size_t max_mesh_triangles = (no_index - 1) / 3;
 
@@ -20,6 +22,7 @@ inline constexpr std::size_t max_mesh_triangles = (no_index - 1) / 3;
 /// Time O(triangles + points), on all threads if each edge has at most one triangle on each side. The result does not
 /// depend on the number of threads. Extra memory: 12 bytes per triangle and 8 bytes per point.
 /// Preconditions: every corner < points, and triangles.size() <= max_mesh_triangles.
-std::size_t rebuild_neighbours(Array<Triangle>& triangles, std::size_t points);
+/// `stop`: asked from pass to pass; it throws. Then the neighbours have no meaning. It may be null.
+std::size_t rebuild_neighbours(Array<Triangle>& triangles, std::size_t points, StopSignal* stop = nullptr);
 
 }  // namespace pardel

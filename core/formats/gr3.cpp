@@ -133,8 +133,8 @@ Error no_such_boundary(const std::filesystem::path& file, int marker) {
 
 }  // namespace
 
-Result<Mesh> files::parse_gr3(std::string_view text, const std::string& name) {
-  TextReader in(text, name);
+Result<Mesh> files::parse_gr3(std::string_view text, const std::string& name, StopSignal* stop) {
+  TextReader in(text, name, stop);
   in.end_line();  // the title, which may be empty or begin with #
   in.expect_line("the number of elements");
   const std::size_t triangles = in.count("the number of elements");
@@ -152,12 +152,13 @@ Result<Mesh> files::parse_gr3(std::string_view text, const std::string& name) {
   for (const bool is_land : {false, true})
     if (in.next_line()) read_boundaries(in, is_land, mesh);
   if (in.failed()) return in.error();
-  rebuild_neighbours(mesh.triangles, mesh.points.size());
+  rebuild_neighbours(mesh.triangles, mesh.points.size(), stop);
   mesh.first_id = {1};
   return mesh;
 }
 
-Status write_gr3(const Mesh& mesh, const std::filesystem::path& file, std::span<const int> open_markers) {
+Status write_gr3(const Mesh& mesh, const std::filesystem::path& file, std::span<const int> open_markers,
+                 const GoOn& go_on) {
   const Boundaries boundaries = boundaries_of(mesh, open_markers);
   std::vector<BoundaryList> open, land;
   for (std::size_t k = 0; k < open_markers.size(); ++k) {
@@ -170,7 +171,7 @@ Status write_gr3(const Mesh& mesh, const std::filesystem::path& file, std::span<
     land.push_back({std::move(chain), closes_an_island});
   }
 
-  OutputFile out(file);
+  OutputFile out(file, go_on);
   Bytes header;
   header << "pardel\n" << mesh.triangles.size() << ' ' << mesh.points.size() << " = numbers of elements and nodes\n";
   out.write(header.view());

@@ -78,10 +78,10 @@ void write_surface(OutputFile& out, const MshGroup& group, const std::vector<Sid
 
 }  // namespace
 
-Status write_inp(const Mesh& mesh, const std::filesystem::path& file) {
+Status write_inp(const Mesh& mesh, const std::filesystem::path& file, const GoOn& go_on) {
   const MshModel model = msh_model(mesh, values_of(mesh));
   const std::vector<std::vector<Side>> sides = sides_of(mesh, model);
-  OutputFile out(file);
+  OutputFile out(file, go_on);
   out.write("*HEADING\npardel\n*NODE, NSET=ALL\n");
   write_records(out, mesh.points.size(), [&](Bytes& to, std::size_t i) {
     to << i + 1 << ", " << mesh.points[i].x << ", " << mesh.points[i].y << ", 0\n";

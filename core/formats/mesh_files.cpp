@@ -25,13 +25,13 @@ std::optional<MeshFormat> format_of_text(std::string_view text) {
 }
 
 /// Precondition: the format is one of a single file that can be read.
-Result<Mesh> parse_mesh(MeshFormat format, std::string_view text, const std::string& name) {
-  if (format == MeshFormat::vtu) return parse_vtu(text, name);
-  if (format == MeshFormat::msh) return parse_msh(text, name);
-  if (format == MeshFormat::vtk) return parse_vtk(text, name);
-  if (format == MeshFormat::two_dm) return parse_2dm(text, name);
-  if (format == MeshFormat::gr3) return parse_gr3(text, name);
-  return parse_off(text, name);
+Result<Mesh> parse_mesh(MeshFormat format, std::string_view text, const std::string& name, StopSignal* stop) {
+  if (format == MeshFormat::vtu) return parse_vtu(text, name, stop);
+  if (format == MeshFormat::msh) return parse_msh(text, name, stop);
+  if (format == MeshFormat::vtk) return parse_vtk(text, name, stop);
+  if (format == MeshFormat::two_dm) return parse_2dm(text, name, stop);
+  if (format == MeshFormat::gr3) return parse_gr3(text, name, stop);
+  return parse_off(text, name, stop);
 }
 
 Error not_a_mesh(const fs::path& file) {
@@ -53,6 +53,32 @@ template <class Read>
 Result<std::variant<Pslg, Mesh>> either(Result<Read> read) {
   if (!read) return read.error();
   return std::variant<Pslg, Mesh>(std::move(*read));
+}
+
+Result<std::variant<Pslg, Mesh>> pslg_or_mesh(std::string_view text, const fs::path& file, StopSignal* stop) {
+  if (const std::optional<MeshFormat> format = format_of_text(text))
+    return either(parse_mesh(*format, text, file.string(), stop));
+  return either(parse_pslg(text, file, stop));
+}
+
+Result<MeshOfFile> mesh_and_format(const fs::path& file, StopSignal* stop) {
+  std::optional<MeshFormat> format = mesh_format(file);
+  const auto of = [](MeshFormat which, Result<Mesh> mesh) -> Result<MeshOfFile> {
+    if (!mesh) return mesh.error();
+    return MeshOfFile{std::move(*mesh), which};
+  };
+  if (format == MeshFormat::triangle) return of(*format, read_triangle_mesh(file, stop));
+  if (file.extension() == ".pvtu") return of(MeshFormat::vtu, read_pvtu(file, stop));
+  if (format == MeshFormat::svg || format == MeshFormat::inp || (!format && file.has_extension()))
+    return unknown_suffix(file, ".node, .ele, .msh, .vtu, .pvtu, .off, .vtk, .2dm, .gr3 and .14");
+  if (std::error_code ignored;
+      format == MeshFormat::msh && !fs::exists(file, ignored) && fs::exists(msh_of_piece(file, 1), ignored))
+    return of(*format, read_msh_pieces(file, stop));
+  const auto text = read_file(file, stop);
+  if (!text) return text.error();
+  if (!format) format = format_of_text(*text);
+  if (!format) return not_a_mesh(file);
+  return of(*format, parse_mesh(*format, *text, file.string(), stop));
 }
 
 }  // namespace
@@ -86,52 +112,39 @@ void files::set_regions(Mesh& mesh, std::span<const double> attributes) {
   mesh.region_attributes = std::move(distinct);
 }
 
-Result<Mesh> read_mesh(const fs::path& file) {
-  Result<MeshOfFile> read = read_mesh_and_format(file);
+Result<Mesh> read_mesh(const fs::path& file, const GoOn& go_on) {
+  Result<MeshOfFile> read = read_mesh_and_format(file, go_on);
   if (!read) return read.error();
   return std::move(read->mesh);
 }
 
-Result<MeshOfFile> read_mesh_and_format(const fs::path& file) {
-  std::optional<MeshFormat> format = mesh_format(file);
-  const auto of = [](MeshFormat which, Result<Mesh> mesh) -> Result<MeshOfFile> {
-    if (!mesh) return mesh.error();
-    return MeshOfFile{std::move(*mesh), which};
-  };
-  if (format == MeshFormat::triangle) return of(*format, read_triangle_mesh(file));
-  if (file.extension() == ".pvtu") return of(MeshFormat::vtu, read_pvtu(file));
-  if (format == MeshFormat::svg || format == MeshFormat::inp || (!format && file.has_extension()))
-    return unknown_suffix(file, ".node, .ele, .msh, .vtu, .pvtu, .off, .vtk, .2dm, .gr3 and .14");
-  if (std::error_code ignored;
-      format == MeshFormat::msh && !fs::exists(file, ignored) && fs::exists(msh_of_piece(file, 1), ignored))
-    return of(*format, read_msh_pieces(file));
-  const auto text = read_file(file);
-  if (!text) return text.error();
-  if (!format) format = format_of_text(*text);
-  if (!format) return not_a_mesh(file);
-  return of(*format, parse_mesh(*format, *text, file.string()));
+Result<MeshOfFile> read_mesh_and_format(const fs::path& file, const GoOn& go_on) {
+  return stoppable(go_on, [&](StopSignal* stop) { return mesh_and_format(file, stop); });
 }
 
-Result<std::variant<Pslg, Mesh>> read_pslg_or_mesh(const fs::path& file) {
+Result<std::variant<Pslg, Mesh>> read_pslg_or_mesh(const fs::path& file, const GoOn& go_on) {
   std::error_code ignored;
   if (file.extension() == ".node" && !fs::exists(fs::path(file).replace_extension(".ele"), ignored))
-    return either(read_pslg(file));
-  if (file.has_extension()) return file.extension() == ".poly" ? either(read_pslg(file)) : either(read_mesh(file));
-  const auto text = read_file(file);
-  if (!text) return text.error();
-  return parse_pslg_or_mesh(*text, file);
+    return either(read_pslg(file, go_on));
+  if (file.extension() == ".poly") return either(read_pslg(file, go_on));
+  if (file.has_extension()) return either(read_mesh(file, go_on));
+  return stoppable(go_on, [&](StopSignal* stop) -> Result<std::variant<Pslg, Mesh>> {
+    const auto text = read_file(file, stop);
+    if (!text) return text.error();
+    return pslg_or_mesh(*text, file, stop);
+  });
 }
 
 Result<std::variant<Pslg, Mesh>> parse_pslg_or_mesh(std::string_view text, const fs::path& file) {
-  if (const std::optional<MeshFormat> format = format_of_text(text))
-    return either(parse_mesh(*format, text, file.string()));
-  return either(parse_pslg(text, file));
+  return pslg_or_mesh(text, file, nullptr);
 }
 
-Result<std::string> read_text(const fs::path& file) {
-  const auto text = read_file(file);
-  if (!text) return text.error();
-  return std::string(std::string_view(*text));
+Result<std::string> read_text(const fs::path& file, const GoOn& go_on) {
+  return stoppable(go_on, [&](StopSignal* stop) -> Result<std::string> {
+    const auto text = read_file(file, stop);
+    if (!text) return text.error();
+    return std::string(std::string_view(*text));
+  });
 }
 
 std::vector<std::string> written_files(const fs::path& file) {
@@ -157,25 +170,26 @@ Status write_mesh(const Mesh& mesh, const Pslg& pslg, const fs::path& file, cons
     return Error{ErrorKind::usage, file.string() + ": only .node, .ele, .msh and .vtu can have elements of order 2"};
   switch (*format) {
     case MeshFormat::triangle:
-      return write_triangle_files(mesh, pslg, fs::path(file).replace_extension(), {.second_order = second_order});
+      return write_triangle_files(mesh, pslg, fs::path(file).replace_extension(),
+                                  {.second_order = second_order, .go_on = options.go_on});
     case MeshFormat::vtu:
-      return write_vtu(mesh, file, options.elements);
+      return write_vtu(mesh, file, options.elements, options.go_on);
     case MeshFormat::msh:
-      return write_msh(mesh, file, options.msh, options.elements);
+      return write_msh(mesh, file, options.msh, options.elements, options.go_on);
     case MeshFormat::off:
-      return write_off(mesh, file);
+      return write_off(mesh, file, options.go_on);
     case MeshFormat::vtk:
-      return write_vtk(mesh, file);
+      return write_vtk(mesh, file, options.go_on);
     case MeshFormat::two_dm:
-      return write_2dm(mesh, file);
+      return write_2dm(mesh, file, options.go_on);
     case MeshFormat::gr3:
-      return write_gr3(mesh, file, options.open_boundaries);
+      return write_gr3(mesh, file, options.open_boundaries, options.go_on);
     case MeshFormat::inp:
-      return write_inp(mesh, file);
+      return write_inp(mesh, file, options.go_on);
     case MeshFormat::svg:
       break;
   }
-  return write_svg(mesh, file);
+  return write_svg(mesh, file, options.go_on);
 }
 
 }  // namespace pardel

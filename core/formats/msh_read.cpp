@@ -40,8 +40,8 @@ ElementType element_type(std::int64_t type) {
 class MshReader {
  public:
   /// `partition`: of the file that is read, 0 for a file of a whole mesh.
-  MshReader(std::string_view text, const std::string& name, int partition)
-      : in_(text, name), source_(in_), partition_(partition) {}
+  MshReader(std::string_view text, const std::string& name, int partition, StopSignal* stop)
+      : in_(text, name, stop), source_(in_), partition_(partition), stop_(stop) {}
 
   Result<MshPiece> read() {
     in_.expect_line("$MeshFormat");
@@ -66,7 +66,7 @@ class MshReader {
     if (!is_middle_.empty()) leave_out_middles(number);
     const auto has_region = [](double attribute) { return !std::isnan(attribute); };
     if (std::any_of(attributes_.begin(), attributes_.end(), has_region)) set_regions(mesh_, attributes_.span());
-    rebuild_neighbours(mesh_.triangles, mesh_.points.size());
+    rebuild_neighbours(mesh_.triangles, mesh_.points.size(), stop_);
     return MshPiece{{std::move(mesh_), std::move(number)}, partitions_};
   }
 
@@ -427,6 +427,7 @@ class MshReader {
   TextReader in_;
   MshSource source_;
   int partition_;
+  StopSignal* stop_;
   std::size_t partitions_ = 1;
   bool has_partitioned_entities_ = false;
   double version_ = 0;
@@ -444,14 +445,14 @@ class MshReader {
 
 }  // namespace
 
-Result<Mesh> parse_msh(std::string_view text, const std::string& name) {
-  Result<MshPiece> whole = MshReader(text, name, 0).read();
+Result<Mesh> parse_msh(std::string_view text, const std::string& name, StopSignal* stop) {
+  Result<MshPiece> whole = MshReader(text, name, 0, stop).read();
   if (!whole) return whole.error();
   return std::move(whole->mesh);
 }
 
-Result<MshPiece> parse_msh_piece(std::string_view text, const std::string& name, int partition) {
-  return MshReader(text, name, partition).read();
+Result<MshPiece> parse_msh_piece(std::string_view text, const std::string& name, int partition, StopSignal* stop) {
+  return MshReader(text, name, partition, stop).read();
 }
 
 }  // namespace pardel::files

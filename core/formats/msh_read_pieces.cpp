@@ -9,14 +9,14 @@
 
 namespace pardel::files {
 
-Result<Mesh> read_msh_pieces(const std::filesystem::path& file) {
+Result<Mesh> read_msh_pieces(const std::filesystem::path& file, StopSignal* stop) {
   std::vector<NumberedMesh> pieces;
   std::size_t partitions = 1;
   for (std::size_t i = 1; i <= partitions; ++i) {
     const std::filesystem::path of_piece = msh_of_piece(file, static_cast<int>(i));
-    const auto text = read_file(of_piece);
+    const auto text = read_file(of_piece, stop);
     if (!text) return text.error();
-    Result<MshPiece> piece = parse_msh_piece(*text, of_piece.string(), static_cast<int>(i));
+    Result<MshPiece> piece = parse_msh_piece(*text, of_piece.string(), static_cast<int>(i), stop);
     if (!piece) return piece.error();
     if (i == 1) partitions = piece->partitions;
     if (piece->partitions != partitions)

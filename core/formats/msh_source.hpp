@@ -28,11 +28,16 @@ class MshSource {
     if (binary_) in_.end_line();
   }
   void row(std::string_view what) {
-    if (!binary_) in_.expect_line(what);
+    if (binary_)
+      in_.ask();
+    else
+      in_.expect_line(what);
   }
   /// Goes to record i of n. In ASCII it begins a row. False after a failure.
   bool record(std::string_view what, std::size_t i, std::size_t n) {
-    return binary_ ? !in_.failed() : in_.expect_record(what, i, n);
+    if (!binary_) return in_.expect_record(what, i, n);
+    in_.ask();
+    return !in_.failed();
   }
   std::int64_t integer(std::string_view what, std::int64_t low, std::int64_t high) {
     return binary_ ? checked(raw<std::int32_t>(what), what, low, high) : in_.integer(what, low, high);

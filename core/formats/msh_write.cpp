@@ -103,8 +103,9 @@ void write_elements(MshRows& out, const MshModel& model, const Mesh& mesh, const
 
 }  // namespace
 
-Status write_msh(const Mesh& mesh, const std::filesystem::path& file, MshEncoding encoding, ElementOrder elements) {
-  OutputFile out(file);
+Status write_msh(const Mesh& mesh, const std::filesystem::path& file, MshEncoding encoding, ElementOrder elements,
+                 const GoOn& go_on) {
+  OutputFile out(file, go_on);
   MshRows rows(out, encoding);
   const MshModel model = msh_model(mesh, values_of(mesh));
   const Tags tags{mesh.constrained_edges.size()};

@@ -36,8 +36,8 @@ void read_constrained_edges(TextReader& in, Mesh& mesh) {
 
 }  // namespace
 
-Result<Mesh> files::parse_off(std::string_view text, const std::string& name) {
-  TextReader in(text, name);
+Result<Mesh> files::parse_off(std::string_view text, const std::string& name, StopSignal* stop) {
+  TextReader in(text, name, stop);
   Mesh mesh;
   in.expect_line("\"OFF\"");
   if (const std::string_view word = in.word(); word != "OFF") in.fail("expected \"OFF\", found " + in_quotes(word));
@@ -62,12 +62,12 @@ Result<Mesh> files::parse_off(std::string_view text, const std::string& name) {
   if (in.failed()) return in.error();
   read_constrained_edges(in, mesh);
   if (in.failed()) return in.error();
-  rebuild_neighbours(mesh.triangles, mesh.points.size());
+  rebuild_neighbours(mesh.triangles, mesh.points.size(), stop);
   return mesh;
 }
 
-Status write_off(const Mesh& mesh, const std::filesystem::path& file) {
-  OutputFile out(file);
+Status write_off(const Mesh& mesh, const std::filesystem::path& file, const GoOn& go_on) {
+  OutputFile out(file, go_on);
   Bytes header;
   header << "OFF\n" << mesh.points.size() << ' ' << mesh.triangles.size() << " 0\n";
   out.write(header.view());

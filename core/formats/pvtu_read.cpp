@@ -33,12 +33,12 @@ Result<std::vector<std::string>> sources_of_pieces(std::string_view text, const 
 
 }  // namespace
 
-Result<Mesh> read_pvtu(const std::filesystem::path& file) {
+Result<Mesh> read_pvtu(const std::filesystem::path& file, StopSignal* stop) {
   const auto sources = files_of_pieces(file);
   if (!sources) return sources.error();
   std::vector<NumberedMesh> pieces;
   for (const std::filesystem::path& source : *sources) {
-    Result<NumberedMesh> piece = read_vtu_piece(source);
+    Result<NumberedMesh> piece = read_piece(source, stop);
     // The list may name any file, so the message names the list, too.
     if (!piece) return Error{piece.error().kind, file.string() + ": " + piece.error().message};
     pieces.push_back(std::move(*piece));

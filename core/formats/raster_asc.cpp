@@ -94,8 +94,8 @@ void read_values(TextReader& in, double missing, Raster& raster) {
 
 }  // namespace
 
-Result<Raster> parse_asc(std::string_view text, const std::string& name) {
-  TextReader in(text, name);
+Result<Raster> parse_asc(std::string_view text, const std::string& name, StopSignal* stop) {
+  TextReader in(text, name, stop);
   const Header header = read_header(in);
   Raster raster;
   raster.columns = count(in, header, "ncols");

@@ -13,11 +13,13 @@ Status files::check_place(const Raster& raster, const std::string& name) {
   return Error{ErrorKind::invalid_input, name + ": the raster extends beyond the range of a double"};
 }
 
-Result<Raster> read_raster(const std::filesystem::path& file) {
-  const auto text = files::read_file(file);
+namespace {
+
+Result<Raster> raster_in(const std::filesystem::path& file, StopSignal* stop) {
+  const auto text = files::read_file(file, stop);
   if (!text) return text.error();
   const std::string suffix = file.extension().string();
-  if (suffix != ".npy" && suffix != ".NPY") return files::parse_asc(*text, file.string());
+  if (suffix != ".npy" && suffix != ".NPY") return files::parse_asc(*text, file.string(), stop);
   std::filesystem::path world = file;
   world.replace_extension(".wld");
   const auto place = files::read_file(world);
@@ -26,6 +28,12 @@ Result<Raster> read_raster(const std::filesystem::path& file) {
                                                place.error().message + ")"};
   }
   return files::parse_npy(*text, file.string(), *place, world.string());
+}
+
+}  // namespace
+
+Result<Raster> read_raster(const std::filesystem::path& file, const GoOn& go_on) {
+  return stoppable(go_on, [&](StopSignal* stop) { return raster_in(file, stop); });
 }
 
 }  // namespace pardel

@@ -98,8 +98,8 @@ void draw_triangles(OutputFile& out, const Canvas& canvas, const Mesh& mesh, std
 
 }  // namespace
 
-Status write_svg(const Mesh& mesh, const std::filesystem::path& file) {
-  OutputFile out(file);
+Status write_svg(const Mesh& mesh, const std::filesystem::path& file, const GoOn& go_on) {
+  OutputFile out(file, go_on);
   const Canvas canvas(mesh.points);
   canvas.open(out);
   std::array<std::vector<Index>, 360> by_hue;
@@ -115,8 +115,8 @@ Status write_svg(const Mesh& mesh, const std::filesystem::path& file) {
   return out.commit();
 }
 
-Status write_svg(const Pslg& pslg, const std::filesystem::path& file) {
-  OutputFile out(file);
+Status write_svg(const Pslg& pslg, const std::filesystem::path& file, const GoOn& go_on) {
+  OutputFile out(file, go_on);
   const Canvas canvas(pslg.points);
   canvas.open(out);
   draw_lines(out, canvas, pslg.segments, pslg.points);

@@ -21,8 +21,18 @@ using Stream = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 /// Files of at least this size are read on all threads: the system then also provides the memory on all threads.
 constexpr std::size_t least_shared_size = std::size_t{1} << 24;
 
+/// False if the work has to end. Does not throw.
+bool may_go_on(StopSignal* stop) {
+  try {
+    if (stop != nullptr) stop->ask();
+  } catch (const Stopped&) {
+    return false;
+  }
+  return true;
+}
+
 /// The threads read parts of the file. False if one of them cannot, for example because the file becomes shorter.
-bool read_on_all_threads(const std::filesystem::path& file, std::size_t size, Array<char>& bytes) {
+bool read_on_all_threads(const std::filesystem::path& file, std::size_t size, Array<char>& bytes, StopSignal* stop) {
   if (size > static_cast<std::size_t>(std::numeric_limits<long>::max())) return false;
   bytes.reserve(size);
   bytes.resize_uninitialised(size);
@@ -30,11 +40,13 @@ bool read_on_all_threads(const std::filesystem::path& file, std::size_t size, Ar
   bool complete = true;
 #pragma omp parallel for schedule(dynamic, 1) reduction(&& : complete)
   for (std::size_t begin = 0; begin < size; begin += part_size) {
+    if (!may_go_on(stop)) continue;
     const std::size_t length = std::min(part_size, size - begin);
     const Stream part(std::fopen(file.c_str(), "rb"), close_unless_input);
     complete = complete && part && std::fseek(part.get(), static_cast<long>(begin), SEEK_SET) == 0 &&
                std::fread(bytes.data() + begin, 1, length, part.get()) == length;
   }
+  if (stop != nullptr) stop->ask();
   return complete;
 }
 
@@ -50,7 +62,7 @@ FileText::FileText(Array<char> bytes) : bytes_(std::move(bytes)) {
   if (std::string_view(*this).starts_with(byte_order_mark)) first_ = byte_order_mark.size();
 }
 
-Result<FileText> read_file(const std::filesystem::path& file) {
+Result<FileText> read_file(const std::filesystem::path& file, StopSignal* stop) {
   const auto failure = [&](const char* what) {
     return Error{ErrorKind::io, file.string() + ": " + what + ": " + std::strerror(errno)};
   };
@@ -61,7 +73,7 @@ Result<FileText> read_file(const std::filesystem::path& file) {
   Array<char> bytes;
   std::error_code unknown;  // a pipe has no size; the array then grows step by step
   const auto size = std::filesystem::file_size(file, unknown);
-  if (!unknown && !is_input && size >= least_shared_size && read_on_all_threads(file, size, bytes))
+  if (!unknown && !is_input && size >= least_shared_size && read_on_all_threads(file, size, bytes, stop))
     return FileText(std::move(bytes));
   std::size_t length = 0;
   std::size_t chunk = unknown ? std::size_t{1} << 16 : static_cast<std::size_t>(size) + 1;
@@ -92,11 +104,11 @@ std::string in_quotes(std::string_view token) {
   return text + (token.size() > longest ? "...\"" : "\"");
 }
 
-TextReader::TextReader(std::string_view text, std::string name)
-    : begin_(text.data()), at_(text.data()), end_(text.data() + text.size()), name_(std::move(name)) {}
+TextReader::TextReader(std::string_view text, std::string name, StopSignal* stop)
+    : begin_(text.data()), at_(text.data()), end_(text.data() + text.size()), name_(std::move(name)), stop_(stop) {}
 
 TextReader TextReader::part(std::string_view lines, std::size_t line) const {
-  TextReader reader(lines, name_);
+  TextReader reader(lines, name_, stop_);
   reader.line_ = line;
   return reader;
 }
@@ -109,6 +121,8 @@ void TextReader::go_on_after(const TextReader& part) {
   message_ = part.message_;
 }
 
+void TextReader::ask_stop() { ask_(); }
+
 void TextReader::end_line() {
   if (at_ == end_) return;
   // Most lines have been read to their ends.
@@ -120,6 +134,7 @@ void TextReader::end_line() {
 
 bool TextReader::next_line() {
   if (failed_) return false;
+  ask();
   leave_line();
   while (at_ != end_ && !has_field()) end_line();
   entered_ = at_ != end_;
@@ -138,7 +153,11 @@ bool TextReader::expect_record(std::string_view what, std::size_t i, std::size_t
   return false;
 }
 
-bool TextReader::next_field() { return !failed_ && ((entered_ && has_field()) || next_line()); }
+bool TextReader::next_field() {
+  if (failed_) return false;
+  ask();
+  return (entered_ && has_field()) || next_line();
+}
 
 std::string_view TextReader::peek() const {
   const char* p = at_;

@@ -9,6 +9,7 @@
 
 #include "../array.hpp"
 #include "../result.hpp"
+#include "../support/stop_signal.hpp"
 #include "fields.hpp"
 
 namespace pardel::files {
@@ -27,7 +28,8 @@ class FileText {
 
 /// Returns the bytes of a file. Large files are read on all threads. Names of standard input, such as `-`, are
 /// accepted. Error: `io`, with the name of the file, if it cannot be opened or read.
-[[nodiscard]] Result<FileText> read_file(const std::filesystem::path& file);
+/// `stop`, here and for other readers: asked now and then; it throws Stopped. It may be null.
+[[nodiscard]] Result<FileText> read_file(const std::filesystem::path& file, StopSignal* stop = nullptr);
 
 /// `token` in quotation marks, for messages: its first 40 bytes at most. Bytes that cannot be printed appear as \xNN.
 [[nodiscard]] std::string in_quotes(std::string_view token);
@@ -42,7 +44,7 @@ class FileText {
 class TextReader {
  public:
   /// `text` must outlive the reader.
-  TextReader(std::string_view text, std::string name);
+  TextReader(std::string_view text, std::string name, StopSignal* stop = nullptr);
 
   /// Goes to the next line that has a field. Returns false at the end of the text or after a failure.
   bool next_line();
@@ -88,6 +90,12 @@ class TextReader {
   /// `more`: so many bytes follow the text in the file.
   bool room_for(std::size_t n, std::size_t bytes_each, std::string_view what, std::size_t more = 0);
 
+  /// Asks the StopSignal, as next_line() and next_field() do; for readers of binary data.
+  void ask() {
+    if (stop_ != nullptr) [[unlikely]]
+      ask_stop();
+  }
+
   /// Goes to the first byte after the end of the current line, where binary data begin.
   void end_line();
   /// The same if a line has been begun.
@@ -114,6 +122,8 @@ class TextReader {
   void skip(std::size_t n);
 
  private:
+  /// Not inlined: nearly no caller has a question, and the functions that ask are called for every line.
+  [[gnu::noinline]] void ask_stop();
   void skip_blanks() {
     while (at_ != end_ && field_blanks.has(*at_)) ++at_;
   }
@@ -127,6 +137,8 @@ class TextReader {
   const char* at_;
   const char* end_;
   std::string name_;
+  StopSignal* stop_;
+  SparseAsk ask_{stop_};
   std::size_t line_ = 1;  ///< the number of the line that contains at_
   bool entered_ = false;  ///< the line that contains at_ is the current line; false before next_line()
   bool binary_ = false;

@@ -106,10 +106,10 @@ void check_neighbours(TextReader& in, const ReadMesh& read) {
 
 /// Reads `file` with reader(in).
 template <class Reader>
-Status read_with(const fs::path& file, const Reader& reader) {
-  const auto text = read_file(file);
+Status read_with(const fs::path& file, StopSignal* stop, const Reader& reader) {
+  const auto text = read_file(file, stop);
   if (!text.ok()) return text.error();
-  TextReader in(*text, file.string());
+  TextReader in(*text, file.string(), stop);
   reader(in);
   if (in.failed()) return in.error();
   return Done{};
@@ -117,11 +117,11 @@ Status read_with(const fs::path& file, const Reader& reader) {
 
 }  // namespace
 
-Result<Mesh> read_triangle_mesh(const fs::path& file) {
+Result<Mesh> read_triangle_mesh(const fs::path& file, StopSignal* stop) {
   ReadMesh read;
   Status status = Done{};
   const auto read_beside = [&](const char* suffix, const auto& reader) {
-    if (status.ok()) status = read_with(fs::path(file).replace_extension(suffix), reader);
+    if (status.ok()) status = read_with(fs::path(file).replace_extension(suffix), stop, reader);
   };
   const auto present = [&](const char* suffix) {
     std::error_code unreadable;
@@ -137,7 +137,7 @@ Result<Mesh> read_triangle_mesh(const fs::path& file) {
   read.mesh.first_id = {read.base};
   if (!read.is_middle.empty()) remove_middles(read.mesh, std::move(read.is_middle));
 
-  const std::size_t surplus = rebuild_neighbours(read.mesh.triangles, read.mesh.points.size());
+  const std::size_t surplus = rebuild_neighbours(read.mesh.triangles, read.mesh.points.size(), stop);
   if (surplus == 0 && present(".neigh")) read_beside(".neigh", [&](TextReader& in) { check_neighbours(in, read); });
   if (!status.ok()) return status.error();
   return std::move(read.mesh);

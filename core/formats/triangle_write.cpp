@@ -108,8 +108,8 @@ void files::put_holes_and_regions(Bytes& to, const Pslg& pslg, int base) {
   }
 }
 
-Status write_poly(const Pslg& pslg, const fs::path& file, int base) {
-  OutputFile out(file);
+Status write_poly(const Pslg& pslg, const fs::path& file, int base, const GoOn& go_on) {
+  OutputFile out(file, go_on);
   write_points(out, pslg, pslg.point_markers, base, pslg.points.size());
   write_edges(out, pslg.segments, pslg.has_segment_markers, base);
   write_holes_and_regions(out, pslg, base);
@@ -128,7 +128,9 @@ Status write_area(const fs::path& file, std::span<const double> caps, int base) 
 
 Status write_triangle_files(const Mesh& mesh, const Pslg& pslg, const fs::path& stem, const TriangleFiles& files) {
   std::deque<OutputFile> outputs;
-  const auto open = [&](const char* suffix) -> OutputFile& { return outputs.emplace_back(fs::path(stem) += suffix); };
+  const auto open = [&](const char* suffix) -> OutputFile& {
+    return outputs.emplace_back(fs::path(stem) += suffix, files.go_on);
+  };
   const EdgeTable table = files.write_edge || files.second_order ? edge_table(mesh) : EdgeTable();
 
   if (files.write_node) write_node(open(".node"), mesh, table, files);

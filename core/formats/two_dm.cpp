@@ -28,7 +28,8 @@ bool is_element(std::string_view card) {
 /// Reads the text twice: first the nodes, then what refers to them.
 class TwoDmReader {
  public:
-  TwoDmReader(std::string_view text, const std::string& name) : text_(text), name_(name) {}
+  TwoDmReader(std::string_view text, const std::string& name, StopSignal* stop)
+      : text_(text), name_(name), stop_(stop) {}
 
   Result<Mesh> read() {
     TextReader nodes = each_card([&](TextReader& in, std::string_view card) {
@@ -48,7 +49,7 @@ class TwoDmReader {
     take_numbers_of_triangles(rest);
     if (rest.failed()) return rest.error();
     if (materials_ > 0) set_regions(mesh_, attributes_.span());
-    rebuild_neighbours(mesh_.triangles, mesh_.points.size());
+    rebuild_neighbours(mesh_.triangles, mesh_.points.size(), stop_);
     return std::move(mesh_);
   }
 
@@ -56,7 +57,7 @@ class TwoDmReader {
   /// Calls read(in, card) for each line after the first one.
   template <class Read>
   TextReader each_card(const Read& read) {
-    TextReader in(text_, name_);
+    TextReader in(text_, name_, stop_);
     in.expect_line("MESH2D");
     in.expect_word("MESH2D");
     while (in.next_line()) read(in, in.word());
@@ -144,6 +145,7 @@ class TwoDmReader {
 
   std::string_view text_;
   const std::string& name_;
+  StopSignal* stop_;
   MshNodes nodes_;
   std::vector<std::pair<std::size_t, double>> heights_;  ///< z of each node, with its number
   std::int64_t materials_ = 1;                           ///< per element
@@ -175,10 +177,12 @@ void put_nodestring(Bytes& to, const Chain& chain, int marker) {
 
 }  // namespace
 
-Result<Mesh> files::parse_2dm(std::string_view text, const std::string& name) { return TwoDmReader(text, name).read(); }
+Result<Mesh> files::parse_2dm(std::string_view text, const std::string& name, StopSignal* stop) {
+  return TwoDmReader(text, name, stop).read();
+}
 
-Status write_2dm(const Mesh& mesh, const std::filesystem::path& file) {
-  OutputFile out(file);
+Status write_2dm(const Mesh& mesh, const std::filesystem::path& file, const GoOn& go_on) {
+  OutputFile out(file, go_on);
   const MshModel model = msh_model(mesh, values_of(mesh));
   const Array<int> materials = materials_of(mesh, model);
   out.write("MESH2D\nNUM_MATERIALS_PER_ELEM 1\n");

@@ -13,7 +13,7 @@ namespace {
 
 class VtkReader {
  public:
-  VtkReader(std::string_view text, const std::string& name) : in_(text, name) {}
+  VtkReader(std::string_view text, const std::string& name, StopSignal* stop) : in_(text, name, stop), stop_(stop) {}
 
   Result<Mesh> read() {
     read_head();
@@ -22,7 +22,7 @@ class VtkReader {
     if (!has_types_) in_.fail("expected CELL_TYPES, found the end of the file");
     if (in_.failed()) return in_.error();
     data_.give_to(cell_of_triangle_, cell_of_line_);
-    rebuild_neighbours(mesh_.triangles, mesh_.points.size());
+    rebuild_neighbours(mesh_.triangles, mesh_.points.size(), stop_);
     return std::move(mesh_);
   }
 
@@ -142,6 +142,7 @@ class VtkReader {
   }
 
   TextReader in_;
+  StopSignal* stop_;
   Mesh mesh_;
   VtkData data_{in_, mesh_};
   bool has_points_ = false, has_types_ = false;
@@ -152,6 +153,8 @@ class VtkReader {
 
 }  // namespace
 
-Result<Mesh> parse_vtk(std::string_view text, const std::string& name) { return VtkReader(text, name).read(); }
+Result<Mesh> parse_vtk(std::string_view text, const std::string& name, StopSignal* stop) {
+  return VtkReader(text, name, stop).read();
+}
 
 }  // namespace pardel::files

@@ -122,8 +122,8 @@ void write_point_data(OutputFile& out, const Mesh& mesh) {
 
 }  // namespace
 
-Status write_vtk(const Mesh& mesh, const std::filesystem::path& file) {
-  OutputFile out(file);
+Status write_vtk(const Mesh& mesh, const std::filesystem::path& file, const GoOn& go_on) {
+  OutputFile out(file, go_on);
   out.write("# vtk DataFile Version 3.0\npardel\nASCII\nDATASET UNSTRUCTURED_GRID\n");
   write_geometry(out, mesh);
   write_cell_data(out, mesh);

@@ -124,6 +124,7 @@ Result<std::string_view> VtuFile::expanded_bytes(const VtuArray& array, Data& da
   if (bytes.size() < at) return cut_off(array);
   at = header_size;
   for (std::uint64_t i = 0; i < blocks; ++i) {
+    if (stop_ != nullptr) stop_->ask();
     const std::uint64_t compressed = header_number(header, 3 + i);
     const std::uint64_t size = i + 1 == blocks && last != 0 ? last : block;
     if (!append_expanded(bytes.substr(at, compressed), size, expanded))
@@ -141,8 +142,9 @@ bool VtuFile::is_number(std::string_view type) {
 
 template <class Value>
 Result<Array<Value>> VtuFile::values(const VtuArray& array, bool any) const {
+  if (stop_ != nullptr) stop_->ask();
   if (array.format == "ascii") {
-    TextReader in(text_.substr(0, array.end), name_);
+    TextReader in(text_.substr(0, array.end), name_, stop_);
     in.skip(array.begin);
     return parse_values<Value>(in, any);
   }

@@ -8,6 +8,7 @@
 
 #include "../array.hpp"
 #include "../result.hpp"
+#include "../support/stop_signal.hpp"
 #include "xml_tag.hpp"
 
 namespace pardel::files {
@@ -31,7 +32,9 @@ class VtuFile {
   /// Supported: the pieces of an UnstructuredGrid, not compressed or compressed by zlib, in the byte order of this
   /// machine; arrays as text, as base64 (inline or appended), or as appended raw bytes; headers of 32 and 64 bits. Any
   /// other file is an error of kind `invalid_input` that names the unsupported part.
-  static Result<VtuFile> parse(std::string_view text, const std::string& name);
+  static Result<VtuFile> parse(std::string_view text, const std::string& name, StopSignal* stop = nullptr);
+  /// As given to parse(); null: there is none.
+  [[nodiscard]] StopSignal* stop() const { return stop_; }
 
   /// An element <Piece>.
   struct Piece {
@@ -80,6 +83,7 @@ class VtuFile {
 
   std::string_view text_;
   std::string name_;
+  StopSignal* stop_ = nullptr;
   std::vector<VtuArray> arrays_;
   std::vector<Piece> pieces_;
   std::size_t appended_ = 0;  ///< the first byte of the appended data, after the `_`

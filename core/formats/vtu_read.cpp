@@ -52,7 +52,7 @@ class VtuMesh {
     if (piece_ == 0) read_field_data();
     if (error_) return *error_;
     if (!is_middle_.empty()) kept_ = remove_middles(mesh_, std::move(is_middle_));
-    rebuild_neighbours(mesh_.triangles, mesh_.points.size());
+    rebuild_neighbours(mesh_.triangles, mesh_.points.size(), file_.stop());
     return std::move(mesh_);
   }
 
@@ -366,8 +366,8 @@ Result<NumberedMesh> read_piece(const VtuFile& file, std::size_t piece) {
 
 }  // namespace
 
-Result<Mesh> parse_vtu(std::string_view text, const std::string& name) {
-  const auto file = VtuFile::parse(text, name);
+Result<Mesh> parse_vtu(std::string_view text, const std::string& name, StopSignal* stop) {
+  const auto file = VtuFile::parse(text, name, stop);
   if (!file.ok()) return file.error();
   if (file->pieces().size() == 1) return VtuMesh(*file, 0).read();
   std::vector<NumberedMesh> pieces;
@@ -383,21 +383,23 @@ Result<Mesh> parse_vtu(std::string_view text, const std::string& name) {
   return mesh;
 }
 
-}  // namespace pardel::files
-
-namespace pardel {
-
-Result<NumberedMesh> read_vtu_piece(const std::filesystem::path& file) {
-  const auto text = files::read_file(file);
+Result<NumberedMesh> read_piece(const std::filesystem::path& file, StopSignal* stop) {
+  const auto text = read_file(file, stop);
   if (!text) return text.error();
-  const auto parsed = files::VtuFile::parse(*text, file.string());
+  const auto parsed = VtuFile::parse(*text, file.string(), stop);
   if (!parsed) return parsed.error();
   if (const std::size_t n = parsed->pieces().size(); n != 1)
     return parsed->error_at(0, "expected one <Piece>, as a file of a .pvtu has, found " + std::to_string(n));
-  Result<NumberedMesh> piece = files::read_piece(*parsed, 0);
+  Result<NumberedMesh> piece = read_piece(*parsed, 0);
   if (piece && piece->number.size() != piece->mesh.points.size())
     return parsed->error_at(0, std::string("expected a point array ") + vtu_vertex_numbers + ", as a piece has");
   return piece;
 }
+
+}  // namespace pardel::files
+
+namespace pardel {
+
+Result<NumberedMesh> read_vtu_piece(const std::filesystem::path& file) { return files::read_piece(file, nullptr); }
 
 }  // namespace pardel

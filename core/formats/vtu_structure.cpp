@@ -94,8 +94,9 @@ std::optional<Error> VtuFile::read_appended(const XmlTag& tag, std::size_t at) {
   return std::nullopt;
 }
 
-Result<VtuFile> VtuFile::parse(std::string_view text, const std::string& name) {
+Result<VtuFile> VtuFile::parse(std::string_view text, const std::string& name, StopSignal* stop) {
   VtuFile file;
+  file.stop_ = stop;
   file.text_ = text;
   file.name_ = name;
   std::string_view section;

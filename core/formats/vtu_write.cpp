@@ -265,8 +265,8 @@ void put_array(Bytes& to, const char* type, const char* name, std::size_t compon
 
 }  // namespace
 
-Status write_vtu(const Mesh& mesh, const std::filesystem::path& file, ElementOrder elements) {
-  OutputFile out(file);
+Status write_vtu(const Mesh& mesh, const std::filesystem::path& file, ElementOrder elements, const GoOn& go_on) {
+  OutputFile out(file, go_on);
   std::optional<Middles> middles;
   if (elements == ElementOrder::second) middles = middles_of(mesh);
   write(mesh, std::nullopt, middles ? &*middles : nullptr, out);

@@ -59,6 +59,20 @@ OutputFile::OutputFile(const fs::path& file, Aside aside)
   if (stream_ == nullptr) fail("cannot be opened for writing", errno);
 }
 
+OutputFile::OutputFile(const fs::path& file, const std::function<bool()>& go_on) : OutputFile(file) {
+  if (go_on) stop_ = std::make_unique<StopSignal>(StopSignal::unless(go_on));
+}
+
+bool OutputFile::may_go_on() {
+  if (!ok()) return false;
+  try {
+    if (stop_) stop_->ask();
+  } catch (const Stopped& stopped) {
+    failure_ = stopped.error;
+  }
+  return ok();
+}
+
 void OutputFile::write_aside(Aside aside) {
   written_.clear();
   target_ = behind_links(target_);
@@ -107,11 +121,11 @@ fs::path OutputFile::written() const {
 
 void OutputFile::fail(const char* what, int error_number) {
   if (!ok()) return;
-  failure_ = name_.string() + ": " + what + ": " + std::generic_category().message(error_number);
+  failure_ = Error{ErrorKind::io, name_.string() + ": " + what + ": " + std::generic_category().message(error_number)};
 }
 
 void OutputFile::write(std::string_view bytes) {
-  if (!ok() || bytes.empty()) return;  // an empty array has no address, and fwrite() must not get a null pointer
+  if (bytes.empty() || !may_go_on()) return;  // an empty array has no address, and fwrite() must not get a null pointer
   if (std::fwrite(bytes.data(), 1, bytes.size(), stream_) != bytes.size()) fail("cannot be written", errno);
 }
 
@@ -124,14 +138,14 @@ void OutputFile::write_to_disk() {
 }
 
 Status OutputFile::close() {
-  if (stream_ != nullptr && ok()) write_to_disk();
+  if (stream_ != nullptr && may_go_on()) write_to_disk();
   if (stream_ != nullptr && is_unnamed_) {
     descriptor_ = fcntl(fileno(stream_), F_DUPFD_CLOEXEC, 0);
     if (descriptor_ < 0) fail("cannot be closed", errno);
   }
   if (stream_ != nullptr && std::fclose(stream_) != 0) fail("cannot be written", errno);
   stream_ = nullptr;
-  if (!ok()) return Error{ErrorKind::io, failure_};
+  if (!ok()) return *failure_;
   return Done{};
 }
 
@@ -173,7 +187,7 @@ Status OutputFile::put_in_place() {
   if (!error) fs::rename(written_, target_, error);
   if (error) {
     fail("cannot be put in place", error.value());
-    return Error{ErrorKind::io, failure_};
+    return *failure_;
   }
   PartialFiles::of_process().forget(written_);
   written_ = target_;

@@ -6,11 +6,14 @@
 #include <deque>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "../result.hpp"
+#include "stop_signal.hpp"
 
 namespace pardel {
 
@@ -40,25 +43,31 @@ class OutputFile {
   };
 
   explicit OutputFile(const std::filesystem::path& file, Aside aside = Aside::unnamed);
+  /// write() and close() ask go_on() every few milliseconds if they are called by the thread that made the object. If
+  /// it returns false, that is a failure: an error `cancelled`. An empty function is not asked.
+  OutputFile(const std::filesystem::path& file, const std::function<bool()>& go_on);
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
   ~OutputFile();
 
   /// False after a failure. Later writes then do nothing.
-  [[nodiscard]] bool ok() const { return failure_.empty(); }
+  [[nodiscard]] bool ok() const { return !failure_; }
   /// Precondition: neither close() nor commit() was called.
   [[nodiscard]] bool is_unnamed() const { return is_unnamed_; }
   /// The name under which processes of the same user can open the file before close(): if it has no name of its own,
   /// one in /proc of this machine. Empty if it cannot be opened.
   [[nodiscard]] std::filesystem::path written() const;
   void write(std::string_view bytes);
-  /// Flushes and closes the file. Every failure to write is reported here at the latest, as an `io` error.
+  /// Flushes and closes the file. Every failure to write is reported here at the latest, as an `io` error (`cancelled`
+  /// if go_on() returned false).
   Status close();
   /// Calls close(), then gives the file its final name.
   Status commit();
 
  private:
   void fail(const char* what, int error_number);
+  /// False after a failure, and if the caller asks to stop.
+  [[nodiscard]] bool may_go_on();
   void write_aside(Aside aside);
   [[nodiscard]] bool open_unnamed();
   void write_to_disk();
@@ -71,7 +80,8 @@ class OutputFile {
   std::FILE* stream_ = nullptr;
   bool is_unnamed_ = false;  ///< neither written_ nor target_ is a name of the file yet
   int descriptor_ = -1;      ///< of an unnamed file that is closed, which would vanish without it
-  std::string failure_;
+  std::optional<Error> failure_{};
+  std::unique_ptr<StopSignal> stop_{};  ///< null: nothing is asked
 
   friend class Replacement;
 };

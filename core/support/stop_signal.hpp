@@ -92,4 +92,18 @@ class SparseAsk {
   std::uint32_t calls_ = 0;
 };
 
+/// Returns work(signal), where the signal asks go_on(); the error `cancelled` if that ended the work. The signal is
+/// null if there is no function go_on.
+template <class Work>
+auto stoppable(const std::function<bool()>& go_on, const Work& work)
+    -> decltype(work(static_cast<StopSignal*>(nullptr))) {
+  if (!go_on) return work(nullptr);
+  StopSignal stop(StopSignal::unless(go_on));
+  try {
+    return work(&stop);
+  } catch (const Stopped& stopped) {
+    return stopped.error;
+  }
+}
+
 }  // namespace pardel

@@ -1,4 +1,4 @@
-"""Files in all formats of the library."""
+"""Files in all formats of the library. Ctrl-C ends reading and writing."""
 
 from __future__ import annotations
 

@@ -38,7 +38,8 @@ std::shared_ptr<Raster> make_raster(const Numbers& values, double first_x, doubl
 }
 
 std::shared_ptr<Raster> read_raster_file(const std::filesystem::path& file) {
-  return std::make_shared<Raster>(Call().run([&] { return value_of(read_raster(file)); }));
+  Call call;
+  return std::make_shared<Raster>(call.run([&] { return value_of(read_raster(file, call.question())); }));
 }
 
 /// What a file of the program's option --sizes has: an array with one length per point of the domain; a Raster; or a
@@ -48,8 +49,9 @@ py::object read_sizes_file(const std::filesystem::path& file) {
     cli::SizeField field;
     cli::PointSizes on_mesh;
   };
-  Read read = Call().run([&] {
-    Read made{value_of(cli::read_size_field(file)), {}};
+  Call call;
+  Read read = call.run([&] {
+    Read made{value_of(cli::read_size_field(file, call.question())), {}};
     if (const Mesh* mesh = std::get_if<Mesh>(&made.field))
       made.on_mesh = value_of(cli::sizes_at_points(*mesh, file.string()));
     return made;
@@ -79,14 +81,15 @@ std::shared_ptr<Places> make_places(const Numbers& points, const Numbers& lines,
   return places;
 }
 
-Places places_in(const std::filesystem::path& file) {
+Places places_in(const std::filesystem::path& file, Call& call) {
   if (cli::is_geojson(file))
-    return places_of(value_of(cli::read_drawing(file, cli::LengthProperty::read)), file.string());
+    return places_of(value_of(cli::read_drawing(file, cli::LengthProperty::read, call.question())), file.string());
   return {.rules = value_of(read_size_rules(file)), .name = file.string()};
 }
 
 std::shared_ptr<Places> read_places(const std::filesystem::path& file) {
-  return std::make_shared<Places>(Call().run([&] { return places_in(file); }));
+  Call call;
+  return std::make_shared<Places>(call.run([&] { return places_in(file, call); }));
 }
 
 std::shared_ptr<Places> places_of_shapes(const Shapes& shapes) {

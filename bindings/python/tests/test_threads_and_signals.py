@@ -151,9 +151,13 @@ WORK = {
     "check": "pardel.check(points, large, min_angle=0)",
     "locate": "large.locate(places)",
     "interpolate": "large.interpolate(points[:, 0], places)",
+    "read": "pardel.read('large.2dm')",
+    "write": "large.save('good.svg')",
 }
+POINTS = {**dict.fromkeys(("delaunay", "check", "check with a test", "locate", "interpolate"), 1_500_000),
+          "read": 1_000_000, "write": 1_000_000}
 SCRIPT = """
-import signal, sys, time
+import os, signal, sys, time
 signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell may have started the tests with Ctrl-C ignored
 import numpy as np
 import pardel
@@ -162,6 +166,10 @@ if many:
     points = np.random.default_rng(1).random((many, 2))
     large = pardel.delaunay(points) if sys.argv[1] != "delaunay" else None
     places = np.tile(points, (8, 1)) if sys.argv[1] in ("locate", "interpolate") else None
+    if sys.argv[1] == "read":
+        large.save("large.2dm")
+pardel.delaunay([(0, 0), (1, 0), (0, 1)]).save("good.svg")
+before = open("good.svg").read(), sorted(os.listdir())
 print("begins", flush=True)
 try:
     {work}
@@ -169,15 +177,16 @@ try:
 except KeyboardInterrupt:
     print("interrupted", time.monotonic(), flush=True)
 assert pardel.mesh([(0, 0), (1, 0), (0, 1)]).report.goal_met
+assert before == (open("good.svg").read(), sorted(os.listdir())), "the file is whole, and no other is left"
 print("works", flush=True)
 """
 
 
 @pytest.mark.parametrize("name", WORK)
-def test_ctrl_c_ends_the_run_at_once(name):
-    many = 1_500_000 if name in ("delaunay", "check", "check with a test", "locate", "interpolate") else 0
-    script = SCRIPT.format(work=WORK[name], many=many)
-    process = subprocess.Popen([sys.executable, "-c", script, name], stdout=subprocess.PIPE, text=True)
+def test_ctrl_c_ends_the_run_at_once(name, tmp_path):
+    script = SCRIPT.format(work=WORK[name], many=POINTS.get(name, 0))
+    process = subprocess.Popen([sys.executable, "-c", script, name], stdout=subprocess.PIPE, text=True,
+                               cwd=tmp_path)
     assert process.stdout.readline() == "begins\n"
     time.sleep(0.25)
     sent = time.monotonic()
