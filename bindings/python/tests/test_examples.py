@@ -22,7 +22,7 @@ SCRIPTS = sorted(path.stem for path in EXAMPLES.glob("*.py"))
 def needs(name):
     """Skips a test if what a script needs is not installed."""
     text = (EXAMPLES / f"{name}.py").read_text()
-    for package in ("scipy", "dolfinx"):
+    for package in ("scipy", "dolfinx", "shapely"):
         if f"from {package}" in text or "from poisson" in text and package == "scipy":
             pytest.importorskip(package)
     if name == "check_gmsh" and shutil.which("gmsh") is None:
@@ -77,6 +77,22 @@ def test_the_airfoil_is_written_and_right(tmp_path, script):
     domain, lengths = script("airfoil").wind_tunnel()
     assert pardel.check(domain, tmp_path / "airfoil.vtu", min_angle=30, size=lengths, grading=0.15)
     assert len(domain.holes) == 1
+
+
+def test_the_lake_is_written_with_its_shores_as_land(tmp_path, script):
+    run("lake", tmp_path / "lake.gr3", folder=tmp_path)
+    lake = script("lake")
+    mesh = pardel.read(tmp_path / "lake.gr3")
+    found = pardel.check(lake.in_metres(lake.lake()), mesh, min_angle=30, max_edge=800)
+    assert set(found.violation_counts) <= {"wrong_edge_marker"}, "the format has types of boundaries, and no markers"
+    assert re.search(r"^3 = number of land boundaries$", (tmp_path / "lake.gr3").read_text(), re.M)
+
+
+def test_the_projection_of_the_lake_keeps_lengths(script):
+    lake = script("lake")
+    north, east = lake.projected([9.4, 47.61]), lake.projected([9.41, 47.6])
+    assert north[0] == east[1] == 0
+    assert (north[1], east[0]) == pytest.approx((1111.8, 752.0), abs=0.5)  # a hundredth of a degree at 47.6 degrees
 
 
 def test_the_errors_of_the_poisson_problem_fall_as_theory_says(script):
