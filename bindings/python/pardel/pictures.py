@@ -15,15 +15,16 @@ from .paths import Path, text_of
 from .scalars import whole
 from .shapes import is_shapes
 
-_WORDS = ("region", "quality", "size")
 
-
-def draw(path: Path, mesh: Any, *, by: str = "region", window: Optional[Sequence[float]] = None,
-         pixels: Optional[int] = None, legend: bool = True, title: Optional[str] = None) -> None:
+def draw(path: Path, mesh: Any, *, by: str = "region", report: Optional[Path] = None,
+         window: Optional[Sequence[float]] = None, pixels: Optional[int] = None, legend: bool = True,
+         title: Optional[str] = None) -> None:
     """Draws a mesh or a domain as .svg or .png, with a legend. Many triangles become an image of their mean colours.
 
     mesh: a `Domain` or a geometry, or a mesh in each form that `check` takes.
-    by: the colour of triangles: ``region``, ``quality`` (the smallest angle) or ``size`` (the longest edge).
+    by: the colour of triangles: ``region``, ``quality`` (the smallest angle) or ``size`` (the longest edge); or what
+        the program made them in: ``tile``, ``phase`` or ``thread``. report: for these, the file that
+        ``pardel mesh --json`` wrote with the mesh.
     window: (x0, y0, x1, y1): only this rectangle. pixels: the longer side, from 50 to 20000; by default 1600 for .png
     and 1000 for .svg. title: the first line of the legend; by default the name of the picture.
     Raises `FileError`; `UsageError`, also if the package was built without cairo; `ResourceError` if cairo is not
@@ -35,8 +36,13 @@ def draw(path: Path, mesh: Any, *, by: str = "region", window: Optional[Sequence
     if not hasattr(_pardel, "Picture"):
         raise UsageError("this package was built without cairo (libcairo2-dev), which draw needs; write(path, mesh) "
                          "draws an .svg without it")
-    if by not in _WORDS:
-        raise UsageError(f"by is {by!r}; it must be one of {', '.join(_WORDS)}")
+    colours = _pardel.colours()
+    if by not in colours:
+        raise UsageError(f"by is {by!r}; it must be one of {', '.join(sorted(colours))}")
+    if colours[by] and report is None:
+        raise UsageError(f"by is {by!r}, which needs report, the file that pardel mesh --json wrote with the mesh")
+    if not colours[by] and report is not None:
+        raise UsageError(f"report is for by='tile', 'phase' or 'thread', and by is {by!r}")
     file = text_of(path)
     suffix = os.path.splitext(file)[1]
     if suffix not in (".svg", ".png"):
@@ -46,9 +52,11 @@ def draw(path: Path, mesh: Any, *, by: str = "region", window: Optional[Sequence
         raise UsageError(f"pixels is {size}; an integer from 50 to 20000 is needed")
     picture = _pardel.Picture(file, _window(window), size, _title(title, file) if legend else None)
     if isinstance(mesh, Domain) or is_shapes(mesh):
+        if by != "region":
+            raise UsageError(f"by is {by!r}, which needs a mesh, and this is a domain")
         _pardel.draw_domain(picture, domain_of(mesh)._core)
     else:
-        _pardel.draw_mesh(picture, mesh_of(mesh)._core, by)
+        _pardel.draw_mesh(picture, mesh_of(mesh)._core, by, "" if report is None else text_of(report))
 
 
 def _title(title: Optional[str], file: str) -> str:

@@ -4,7 +4,9 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <algorithm>
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +15,7 @@
 #include "../../../cli/drawing/draw_domain.hpp"
 #include "../../../cli/drawing/draw_legend.hpp"
 #include "../../../cli/drawing/draw_mesh.hpp"
+#include "../../../cli/drawing/names.hpp"
 #include "../../../cli/plural.hpp"
 #include "bind.hpp"
 #include "call.hpp"
@@ -45,15 +48,25 @@ struct Picture {
   }
 };
 
-cli::ColourBy colour_by(const std::string& word) {
-  if (word == "quality") return cli::ColourBy::quality;
-  return word == "size" ? cli::ColourBy::size : cli::ColourBy::region;
+/// The words that the program's option --by takes, and if they need the report of the run that made the mesh.
+std::map<std::string, bool> colours() {
+  std::map<std::string, bool> words;
+  for (std::size_t k = 0; k < cli::colour_names.size(); ++k)
+    words.emplace(cli::colour_names.names[k], static_cast<cli::ColourBy>(k) >= cli::ColourBy::tile);
+  return words;
 }
 
-void draw_mesh(const Picture& picture, const HeldMesh& held, const std::string& by) {
+cli::ColourBy colour_by(const std::string& word) {
+  const auto& names = cli::colour_names.names;
+  return static_cast<cli::ColourBy>(std::ranges::find(names, word) - names.begin());
+}
+
+/// `by`: one of colours(). `report`: the file that it needs, or empty.
+void draw_mesh(const Picture& picture, const HeldMesh& held, const std::string& by,
+               const std::filesystem::path& report) {
   const Mesh& mesh = held.usable();
   Call().run([&] {
-    const cli::Colouring coloured = value_of(cli::colouring(mesh, colour_by(by), {}));
+    const cli::Colouring coloured = value_of(cli::colouring(mesh, colour_by(by), report));
     cli::Canvas canvas = picture.canvas(mesh.points.span());
     cli::draw_mesh(canvas, mesh, coloured);
     if (picture.title)
@@ -85,7 +98,8 @@ void bind_pictures(py::module_& module) {
              return Picture{std::move(file), window, pixels, std::move(title)};
            }),
            py::arg("file"), py::arg("window"), py::arg("pixels"), py::arg("title"));
-  module.def("draw_mesh", &draw_mesh, py::arg("picture"), py::arg("mesh"), py::arg("by"));
+  module.def("colours", &colours);
+  module.def("draw_mesh", &draw_mesh, py::arg("picture"), py::arg("mesh"), py::arg("by"), py::arg("report"));
   module.def("draw_domain", &draw_domain, py::arg("picture"), py::arg("domain"));
 }
 

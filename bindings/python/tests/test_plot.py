@@ -1,5 +1,6 @@
 """Plots with matplotlib, pictures in files, and pictures of notebooks."""
 
+import json
 import re
 import struct
 import sys
@@ -138,6 +139,29 @@ def test_colours_of_a_drawing_differ(plate, tmp_path):
     assert len({(tmp_path / f"{by}.svg").read_text() for by in ("region", "quality", "size")}) == 3
 
 
+def report_of_a_run(folder, mesh):
+    """What `draw` reads of a report of the program: two threads, and a lattice of two by two cells."""
+    file = folder / "run.json"
+    cells = {"columns": 2, "rows": 2, "low": [0, 0], "high": [4, 4], "thread_of_cell": [0, 1, 1, -1]}
+    file.write_text(json.dumps({"schema": "pardel.report/1", "mesh": {"triangles": len(mesh.triangles)},
+                                "decomposition": cells}))
+    return file
+
+
+@needs_cairo
+def test_triangles_are_coloured_by_the_work_of_the_program(plate, tmp_path):
+    mesh = pardel.mesh(plate, max_area=0.1)
+    report = report_of_a_run(tmp_path, mesh)
+    for by in ("tile", "phase", "thread"):
+        pardel.draw(tmp_path / f"{by}.svg", mesh, by=by, report=report)
+    assert len({(tmp_path / f"{by}.svg").read_text() for by in ("tile", "phase", "thread")}) == 3
+    with pytest.raises(pardel.UsageError, match="path is a int; the path of a file is needed"):
+        pardel.draw(tmp_path / "a.svg", mesh, by="tile", report=3)
+    report.write_text("{}")
+    with pytest.raises(pardel.InvalidInput, match="run.json"):
+        pardel.draw(tmp_path / "a.svg", mesh, by="tile", report=report)
+
+
 @needs_cairo
 def test_a_legend_makes_a_drawing_wider_and_a_window_cuts_it(plate, tmp_path):
     mesh = pardel.mesh(plate, max_area=0.1)
@@ -160,7 +184,10 @@ def test_domains_and_shapes_are_drawn(plate, tmp_path):
 @needs_cairo
 @pytest.mark.parametrize("name, options, message", [
     ("a.pdf", {}, "the suffix of a picture is .svg or .png"),
-    ("a.svg", dict(by="angle"), "by is 'angle'; it must be one of region, quality, size"),
+    ("a.svg", dict(by="angle"), "by is 'angle'; it must be one of phase, quality, region, size, thread, tile"),
+    ("a.svg", dict(by="tile"), "by is 'tile', which needs report, the file that pardel mesh --json wrote"),
+    ("a.svg", dict(report="run.json"), "report is for by='tile', 'phase' or 'thread', and by is 'region'"),
+    ("a.svg", dict(by="quality"), "by is 'quality', which needs a mesh, and this is a domain"),
     ("a.svg", dict(pixels=10), "pixels is 10; an integer from 50 to 20000"),
     ("a.svg", dict(pixels="many"), "pixels is 'many'"),
     ("a.svg", dict(window=(0, 0, 0, 1)), "x0 below x1"),
